@@ -20,7 +20,9 @@
 extern "C" {
 #endif
 
-/** `angle_of_ratio` for a ratio below 1/16, and from 16 on. */
+/**
+ * Angle of a point in the first quadrant, as two doubles, for a `ratio` below 1/16 or from 16 on.
+ */
 void arctangent_far_angle(double height, double width, double ratio, pair_t *pair);
 
 /**

@@ -128,10 +128,7 @@ static const uint8_t RECEIVER_COMMIT = 5U;
 /** Closes the link: the downlink stops. */
 static const uint8_t RECEIVER_GOODBYE = 2U;
 
-/**
- * Heartbeat of the ground station. After the first one, silence is a lost link. From the first one on, it is missed
- * when it is silent.
- */
+/** Heartbeat of the ground station. After the first one, silence counts as a lost link. */
 static const uint8_t RECEIVER_HEARTBEAT = 10U;
 
 /** Opens the link: always accepted, and restarts the sequence numbers. */

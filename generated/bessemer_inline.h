@@ -134,7 +134,7 @@ static inline void logarithm_logarithm(const parts_t *parts, double exponent, pa
     pair->low = r * z * tail + (rest + lead.low + (next.low - cross));
 }
 
-/** The rounding error of `step`, as a fraction of it. */
+/** The rounding error of the double nearest to 2^(`steps`/128), as a fraction of it. */
 static inline double exponential_step_rest(uint64_t steps)
 {
     return f64_from_bits(POWERS_OF_TWO[steps & UINT64_C(0x7F)][0]);

@@ -27,9 +27,9 @@ extern "C" {
 
 /** Controller that flies the aircraft to its target. */
 typedef struct {
-    /** The thesis' law, corrected. */
+    /** Control law of the thesis with a correction: see `cascade`. */
     cascade_t cascade;
-    /** The thesis' law, as printed. */
+    /** Control law as printed in the thesis: see `printed`. */
     printed_t printed;
     /** Touch-down detection during landing. */
     touch_down_t touch_down;

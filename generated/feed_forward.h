@@ -25,11 +25,11 @@ extern "C" {
 
 /** Growth of the gain from 0 to its final value. */
 typedef enum {
-    /** At once. */
+    /** The gain has its final value from the start. */
     PROFILE_CONSTANT = 0,
     /** In proportion to the time since its beginning (thesis, eq. (7.1)). */
     PROFILE_LINEAR = 1,
-    /** Slowly, then fast, then slowly (thesis, eq. (7.11)). */
+    /** Growth along a sigmoid (thesis, eq. (7.11)). */
     PROFILE_SIGMOID = 2
 } profile_t;
 

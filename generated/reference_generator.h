@@ -94,7 +94,7 @@ typedef struct {
 
 /**
  * Returns the parameters of the Mambo. The thesis uses the sample time as K_landing, with which a landing takes
- * 200 s. The thesis takes the sample time for K_landing, which would take 200 s to land.
+ * 200 s.
  */
 void course_mambo(course_t *course);
 

@@ -62,7 +62,7 @@ typedef struct {
     bool busy;
     /** Number of the next packet. */
     uint16_t sequence;
-    /** Periods status_age the state of the link went down. */
+    /** Number of periods since the state of the link was sent. */
     uint32_t status_age;
 } sender_t;
 

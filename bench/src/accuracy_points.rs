@@ -1,8 +1,8 @@
-//! Equality of the elementary functions at the points of the accuracy measurement: Rust, the C of each compiler, and
-//! the C on the emulated Cortex-A9.
+//! Compares the elementary functions on all legs at the points of the accuracy measurement. The legs are Rust, the C
+//! of each compiler, and the C on the emulated Cortex-A9.
 //!
-//! The points of a function are written into a file, which every leg reads; what they say is folded.
-//! [`crate::equality`] draws points of its own, in the models.
+//! The points of a function are written to a file that every leg reads; the results are combined into a hash.
+//! [`crate::equality`] draws its points in the models instead.
 
 #[path = "../accuracy/src/points.rs"]
 mod points;
@@ -26,9 +26,9 @@ use crate::elementary::{self, Emission};
 /// Result of one leg.
 #[derive(Clone, Debug)]
 pub struct Leg {
-    /// `Rust`, `gcc -O2`.
+    /// Name of the leg, such as `Rust` or `gcc -O2`.
     pub name: String,
-    /// The folded bits of each function, in the order of [`names`].
+    /// Hash of the result bits of each function, in the order of [`names`].
     pub folded: Vec<u64>,
 }
 
@@ -90,7 +90,8 @@ fn fold(folded: u64, bits: u64) -> u64 {
 /// Runs every leg on `count` points of each function.
 ///
 /// # Errors
-/// What a tool or the system said.
+///
+/// The message of a tool or the system.
 pub fn measure(count: u64) -> Result<Vec<Leg>, String> {
     let emission = &elementary::emission()?;
     let here = emission.folder();
@@ -143,7 +144,7 @@ fn cases(emission: &Emission) -> Result<String, String> {
     Ok(text)
 }
 
-/// Writes the points of a function; what the Rust makes of them.
+/// Writes the points of a function to a file; returns the hash of the Rust results.
 fn write(domain: &Domain, count: u64, file: &Path) -> io::Result<u64> {
     let native = native(domain.name).ok_or_else(|| io::Error::other(domain.name))?;
     let mut out = BufWriter::new(File::create(file)?);
@@ -190,7 +191,7 @@ fn run(toolchain: &Toolchain, program: &Path, which: usize, file: &Path) -> Resu
         .map_err(|error| format!("{}: `{text}`: {error}", toolchain.name()))
 }
 
-/// For machines.
+/// Formats the results for machines.
 pub fn json(legs: &[Leg], count: u64) -> Value {
     let words = |leg: &Leg| leg.folded.iter().map(|it| format!("{it:016x}")).collect::<Vec<_>>();
     json!({
@@ -206,7 +207,7 @@ pub fn json(legs: &[Leg], count: u64) -> Value {
     })
 }
 
-/// For people.
+/// Formats the results for people.
 pub fn table(legs: &[Leg]) -> String {
     let mut text = String::new();
     for leg in legs {

@@ -1,8 +1,8 @@
 //! Measures what the attributes add to `cargo check` of a model.
 //!
-//! Two packages of the same functions, one with attributes and one without, are checked in turn, each
-//! after a change of its source; dependencies are built before. The time is that of the processors
-//! (cargo and rustc), which other load disturbs less than the clock's.
+//! Two packages of the same functions, one with attributes and one without, are checked alternately, each after a
+//! change of its source; dependencies are built before. The result is the processor time of cargo and rustc, which
+//! depends less on other load than wall time.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -25,19 +25,19 @@ pub struct Size {
 pub struct Cost {
     /// Size that was measured.
     pub size: Size,
-    /// Without attributes.
+    /// Processor seconds without attributes.
     pub plain: [f64; 3],
-    /// With attributes.
+    /// Processor seconds with attributes.
     pub annotated: [f64; 3],
 }
 
 impl Cost {
-    /// The median with attributes over the median without.
+    /// Returns the ratio of the medians, with attributes to without.
     pub fn ratio(&self) -> f64 {
         self.annotated[1] / self.plain[1]
     }
 
-    /// For machines.
+    /// Formats the result for machines.
     pub fn json(&self) -> Value {
         json!({
             "command": "cargo xtask bench",
@@ -49,7 +49,7 @@ impl Cost {
         })
     }
 
-    /// For people.
+    /// Formats the result for people.
     pub fn table(&self) -> String {
         let mut text = format!(
             "cargo check of {} functions, processor seconds, {} runs each, interleaved\n\n",
@@ -66,10 +66,11 @@ impl Cost {
     }
 }
 
-/// Measures; `tick` is called after each check.
+/// Measures both variants; calls `tick` after each check.
 ///
 /// # Errors
-/// What cargo or the file system said.
+///
+/// The message of cargo or the file system.
 pub fn measure(size: Size, mut tick: impl FnMut()) -> Result<Cost, String> {
     let failed = |error: std::io::Error| error.to_string();
     let workspaces = [false, true].map(|annotated| {
@@ -101,7 +102,7 @@ pub fn measure(size: Size, mut tick: impl FnMut()) -> Result<Cost, String> {
     Ok(Cost { size, plain, annotated })
 }
 
-/// The clock's own resolution.
+/// Rounds to hundredths, the resolution of the clock.
 pub(crate) fn hundredths(value: f64) -> f64 {
     (100.0 * value).round() / 100.0
 }
@@ -132,7 +133,7 @@ fn seconds(wanted: &[usize]) -> Result<f64, String> {
     seconds.ok_or_else(|| "/proc/self/stat has no times".into())
 }
 
-/// A package of `functions` functions of 22 lines, as a model has them.
+/// Generates a package of `functions` functions of 22 lines, similar to those of a model.
 pub fn source(functions: usize, annotated: bool, run: usize) -> String {
     let attribute = |text: &'static str| if annotated { text } else { "" };
     let mut text = format!(

@@ -1,19 +1,20 @@
 //! Counts the instructions that a program executes on the emulated Cortex-A9.
 //!
-//! The program calls `bench_begin` and `bench_end` around what is to be counted, functions that stay
-//! functions; a plugin of QEMU's (`watch`) counts between them. The count is exact and the same in every
-//! run. Instructions are not cycles: there is no cache and no pipeline.
+//! The program calls `bench_begin` and `bench_end`, which are not inlined, around the measured code; a plugin of QEMU
+//! (`watch`) counts between them. The count is exact and the same in every run. Instructions are not cycles: there is
+//! no cache and no pipeline.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 use bessemer_tests::watch::plugin;
 
-/// The counts that a run of `program` comes to, in the order of its calls of `bench_end`. `folder` is
-/// for the plugin.
+/// Runs `program` and returns its instruction counts, in the order of its calls of `bench_end`. The plugin is built
+/// in `folder`.
 ///
 /// # Errors
-/// What the compiler, `nm` or QEMU said.
+///
+/// The message of the compiler, `nm` or QEMU.
 pub fn count(program: &Path, folder: &Path) -> Result<Vec<u64>, String> {
     Ok(fed(program, folder, &[], Stdio::null())?.0)
 }

@@ -19,13 +19,13 @@ use serde_json::{Value, json};
 
 use crate::count;
 
-/// A function, what C calls it, and the arguments it is measured on.
+/// A function, its name in C, and its arguments in the measurement.
 struct Subject {
     rust: &'static str,
     c: &'static str,
     x: [f64; 2],
     y: Option<[f64; 2]>,
-    /// Number of arguments; the third is the first again.
+    /// Number of arguments; the third is equal to the first.
     takes: usize,
 }
 
@@ -41,7 +41,7 @@ const fn three(rust: &'static str, c: &'static str, x: [f64; 2], y: [f64; 2]) ->
     Subject { rust, c, x, y: Some(y), takes: 3 }
 }
 
-/// Arguments as models have them: angles of a few turns, exponents of a few.
+/// Functions with typical arguments of models: angles of a few turns, exponents of small size.
 const SUBJECTS: &[Subject] = &[
     one("sin", "sin", [-10.0, 10.0]),
     one("cos", "cos", [-10.0, 10.0]),
@@ -69,12 +69,12 @@ const SUBJECTS: &[Subject] = &[
 /// Implementations of a function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Form {
-    /// On `f64`.
+    /// In double precision.
     #[default]
     Double,
-    /// On `f32`, in double.
+    /// For `f32`, computed in double precision.
     Single,
-    /// On `f32`, in `f32` alone.
+    /// For `f32`, computed in single precision alone.
     Alone,
 }
 
@@ -85,12 +85,12 @@ impl Form {
         if self == Form::Double { "" } else { "f" }
     }
 
-    /// The C type of its arguments and its result.
+    /// Returns the C type of arguments and result.
     fn c_type(self) -> &'static str {
         if self == Form::Double { "double" } else { "float" }
     }
 
-    /// True if `module` holds the mathematics in this form.
+    /// Returns true if `module` has the functions in this form.
     fn is_of(self, module: &str) -> bool {
         module.contains("::math::") && module.contains("::math::narrow") == (self == Form::Alone)
     }
@@ -100,11 +100,11 @@ impl Form {
 #[derive(Clone, Debug, Default)]
 pub struct Row {
     form: Form,
-    /// `sin`, `sinf`.
+    /// Name of the function in C, such as `sin` or `sinf`.
     pub name: String,
-    /// Our time over glibc's on this machine, in each round.
+    /// Our time divided by glibc's on this machine, for each round.
     pub ratios: Vec<f64>,
-    /// Nanoseconds, ours and glibc's: the medians.
+    /// Median times of ours and of glibc's, ns.
     pub nanoseconds: [f64; 2],
     /// Instructions of a call on the Cortex-A9: ours, glibc's, newlib's.
     pub instructions: [f64; 3],
@@ -113,7 +113,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// The median of the ratios.
+    /// Returns the median of the ratios.
     pub fn ratio(&self) -> f64 {
         self.ratios.get(self.ratios.len() / 2).copied().unwrap_or(f64::NAN)
     }
@@ -131,7 +131,7 @@ impl Row {
     }
 }
 
-/// For machines.
+/// Formats the results for machines.
 pub fn json(rows: &[Row]) -> Value {
     let of = |wanted: &dyn Fn(Form) -> bool| -> Vec<Value> {
         rows.iter().filter(|row| wanted(row.form)).map(Row::json).collect()
@@ -149,7 +149,7 @@ pub fn json(rows: &[Row]) -> Value {
     })
 }
 
-/// For people.
+/// Formats the results for people.
 pub fn table(rows: &[Row]) -> String {
     let mut text = String::from(
         "| function | host: ours / glibc | ns, ns | A9 instructions: ours, glibc, newlib | A9 bytes: ours, glibc, newlib |\n\
@@ -168,7 +168,7 @@ pub fn table(rows: &[Row]) -> String {
     text
 }
 
-/// The flags of both sides.
+/// Compiler flags for our C and for the libraries' callers.
 const FLAGS: &[&str] = &["-O2", "-ffp-contract=off", "-std=gnu99"];
 /// Flags of this machine's compiler: glibc selects fused instructions by itself.
 const HOST_FLAGS: &[&str] = if cfg!(target_arch = "x86_64") {
@@ -176,15 +176,16 @@ const HOST_FLAGS: &[&str] = if cfg!(target_arch = "x86_64") {
 } else {
     FLAGS
 };
-/// The program around them: without this the compiler would work out calls of its own accord.
+/// Flags for the calling program: the compiler must not evaluate calls itself.
 const DRIVER_FLAGS: &[&str] = &["-fno-builtin"];
 /// newlib's libm for the A9's instruction set.
 const NEWLIB: &str = "/usr/lib/arm-none-eabi/newlib/thumb/v7-a+fp/hard/libm.a";
 
-/// Measures everything in `rounds` rounds.
+/// Measures all functions in `rounds` rounds.
 ///
 /// # Errors
-/// What a tool said.
+///
+/// The message of a tool.
 pub fn measure(rounds: u32) -> Result<Vec<Row>, String> {
     let failed = |error: std::io::Error| error.to_string();
     let emission = emission()?;
@@ -240,7 +241,7 @@ fn c_name(subject: &Subject, form: Form) -> String {
     format!("{}{}", subject.c, form.suffix())
 }
 
-/// A model that calls everything.
+/// A model that calls all functions.
 fn model() -> String {
     let mut text = String::from("//! Everything.\n#![no_std]\nuse bessemer::prelude::*;\n");
     for (subject, form) in formats() {
@@ -258,17 +259,18 @@ fn model() -> String {
     text
 }
 
-/// The C of all functions, in a folder that goes with it.
+/// The C of all functions, in a temporary folder.
 pub struct Emission {
     compiled: Compiled,
     names: Names,
     folder: Folder,
 }
 
-/// Emits all functions.
+/// Emits the C of all functions.
 ///
 /// # Errors
-/// What a tool or the system said.
+///
+/// The message of a tool or the system.
 pub fn emission() -> Result<Emission, String> {
     let workspace = Workspace::with_source(&model()).map_err(|error| error.to_string())?;
     let compiled = workspace.compiled()?;
@@ -288,7 +290,7 @@ impl Emission {
         self.folder.sources()
     }
 
-    /// A line that includes each header.
+    /// Returns the `#include` lines of all headers.
     pub fn headers(&self) -> String {
         let headers = self.compiled.files.iter().filter(|file| file.name.ends_with(".h"));
         headers.map(|file| format!("#include \"{}\"\n", file.name)).collect()
@@ -378,7 +380,7 @@ impl Objects {
         Ok(Objects { folder: here.to_owned(), ours, newlib })
     }
 
-    /// Code and tables that `name` needs from these and from `library`.
+    /// Size of the code and tables that `name` needs, from our objects or from `library`, bytes.
     fn bytes(&self, name: &str, library: &[&str]) -> Result<u64, String> {
         let program = self.folder.join("bench_bytes");
         let entry =

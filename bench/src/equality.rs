@@ -1,8 +1,8 @@
-//! Equality of the elementary functions at millions of points: Rust, the C of each compiler, and the C on the emulated
-//! Cortex-A9.
+//! Compares the elementary functions on all legs at millions of points. The legs are Rust, the C of each compiler,
+//! and the C on the emulated Cortex-A9.
 //!
-//! Each leg folds the bits of its results, a thousand points at a time (`tests/mathematics/probe.rs`,
-//! which every leg runs), so nothing but the folded words is compared.
+//! Each leg hashes the bits of its results, a thousand points at a time (`tests/mathematics/probe.rs`, which every
+//! leg runs), so that only the hashes are compared.
 
 #[path = "../../tests/mathematics/probe.rs"]
 mod probe;
@@ -18,17 +18,17 @@ use bessemer_tests::workspace::Workspace;
 use probe::{POINTS, Probe};
 use serde_json::{Value, json};
 
-/// Number of functions that the probe knows.
+/// Number of functions in the probe.
 const FUNCTIONS: u32 = 23;
 
 /// Result of one leg.
 #[derive(Clone, Debug)]
 pub struct Leg {
-    /// `Rust`, `gcc -O2`.
+    /// Name of the leg, such as `Rust` or `gcc -O2`.
     pub name: String,
-    /// All its words, folded.
+    /// Hash of all results.
     pub folded: u64,
-    /// The first call that differs from the Rust's: function and number.
+    /// The first call whose hash differs from the Rust's: function and number of the call.
     pub parted: Option<(u32, u32)>,
 }
 
@@ -96,7 +96,7 @@ fn folded(words: &[u64]) -> u64 {
     })
 }
 
-/// For machines.
+/// Formats the results for machines.
 pub fn json(legs: &[Leg], calls: u32) -> Value {
     json!({
         "command": "cargo xtask bench --only equality",
@@ -110,7 +110,7 @@ pub fn json(legs: &[Leg], calls: u32) -> Value {
     })
 }
 
-/// For people.
+/// Formats the results for people.
 pub fn table(legs: &[Leg]) -> String {
     let mut text = String::new();
     for leg in legs {

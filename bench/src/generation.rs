@@ -1,8 +1,8 @@
-//! Duration of a generation, by number of functions, and for the corpus.
+//! Measures the duration of a generation, by number of functions, and for the corpus.
 //!
-//! Everything is built before; what is timed is what `cargo xtask gen` does after cargo has nothing left
-//! to do: running the package's program for its tree, and making C of it. The time is the clock's, the
-//! least of several runs.
+//! Dependencies are built before. The measured part is what `cargo xtask gen` does after cargo has nothing left to
+//! build: it runs the package's program for its tree, and compiles that to C. The result is the least real time of
+//! several runs.
 
 use std::fmt::Write as _;
 use std::time::Instant;
@@ -15,22 +15,22 @@ use serde_json::{Value, json};
 
 use crate::check_cost::{hundredths, source};
 
-/// Packages of so many functions.
+/// Numbers of functions of the measured packages.
 const SIZES: [usize; 3] = [10, 100, 1000];
 
 /// Measured durations.
 #[derive(Clone, Debug)]
 pub struct Generation {
-    /// Number of runs of each.
+    /// Number of runs of each package.
     pub runs: usize,
-    /// Functions of a package, and milliseconds for its tree and for its C.
+    /// For each package: number of functions, and milliseconds for its tree and for its C.
     pub synthetic: Vec<(usize, f64, f64)>,
-    /// Functions of the corpus, and the same.
+    /// For the corpus: number of functions, and milliseconds for its tree and for its C.
     pub corpus: (usize, f64, f64),
 }
 
 impl Generation {
-    /// For machines.
+    /// Formats the result for machines.
     pub fn json(&self) -> Value {
         let row = |(functions, tree, c): &(usize, f64, f64)| {
             json!({
@@ -48,7 +48,7 @@ impl Generation {
         })
     }
 
-    /// For people.
+    /// Formats the result for people.
     pub fn table(&self) -> String {
         let mut text = format!(
             "generation once built, ms, least of {} runs\n\n{:<12} {:>9} {:>9} {:>9} {:>13}\n",
@@ -63,10 +63,11 @@ impl Generation {
     }
 }
 
-/// Measures; `tick` is called after each package.
+/// Measures all packages; calls `tick` after each.
 ///
 /// # Errors
-/// What cargo, the generator or the file system said.
+///
+/// The message of cargo, the generator or the file system.
 pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Generation, String> {
     let mut synthetic = Vec::new();
     for functions in SIZES {

@@ -1,9 +1,9 @@
-//! Cost of generating one long function by its number of operations: rustc's part must grow linearly, not
+//! Cost of generating one long function, by its number of operations. rustc's part must grow linearly, not
 //! quadratically.
 //!
-//! All of it is measured, cargo, rustc, the linker and the C, as in `cargo xtask gen`; what the package depends on is built before. Each
-//! time every line of the function is another, so that rustc's notes of the build before help it as little as they can. The time is
-//! that of the processors.
+//! The whole of `cargo xtask gen` is measured: cargo, rustc, the linker and the C; dependencies are built before.
+//! Every line of the function changes in each run, so that rustc's incremental data is of little use. The result is
+//! processor time.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -14,20 +14,20 @@ use serde_json::{Value, json};
 
 use crate::check_cost::{all_seconds, hundredths, spread};
 
-/// Operations of the function: additions, products, comparisons, choices, `clamp`.
+/// Numbers of operations of the function: additions, products, comparisons, choices, `clamp`.
 const SIZES: [usize; 3] = [500, 1000, 2000];
 
-/// The times that were measured.
+/// The measured times.
 #[derive(Clone, Debug)]
 pub struct Long {
-    /// Number of generations of each.
+    /// Number of generations for each size.
     pub runs: usize,
     /// Operations, and processor seconds: smallest, median, largest.
     pub rows: Vec<(usize, [f64; 3])>,
 }
 
 impl Long {
-    /// For machines.
+    /// Formats the result for machines.
     pub fn json(&self) -> Value {
         let row = |(operations, seconds): &(usize, [f64; 3])| json!({ "operations": operations, "seconds": seconds.map(hundredths) });
         json!({
@@ -37,7 +37,7 @@ impl Long {
         })
     }
 
-    /// For people.
+    /// Formats the result for people.
     pub fn table(&self) -> String {
         let mut text = format!(
             "generation of one function, processor seconds, {} runs each\n\n{:>10} {:>8} {:>8} {:>8}\n",
@@ -50,7 +50,7 @@ impl Long {
     }
 }
 
-/// Measures; `tick` is called after each generation.
+/// Measures all sizes; calls `tick` after each generation.
 ///
 /// # Errors
 /// The message of cargo, the generator or the file system.
@@ -76,7 +76,7 @@ pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Long, String> {
     Ok(Long { runs, rows })
 }
 
-/// A function of so many operations, ten in four lines, as a controller has them.
+/// Generates a function with some number of operations, ten in four lines, similar to a controller.
 fn source(operations: usize, run: usize) -> String {
     let mut text =
         "//! A long function.\n#![no_std]\nuse bessemer::prelude::*;\n\n/// Long.\n#[function]\n\

@@ -80,7 +80,7 @@ const MACHINES: [&str; machine::ALL.len()] = {
 /// Name in the results of the command for cases that were measured later.
 const AGAIN: &str = "measured again";
 
-/// A measurement: prints its table, and writes its results unless it is a short run.
+/// A measurement: prints its table and, unless it is a short run, writes its results.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
 const PARTS: [(Part, Measurement); 11] = [
@@ -157,7 +157,7 @@ fn kernels(arguments: &Arguments) -> Result<(), String> {
     }
 }
 
-/// The results of some machines in place of what was measured there before, by the same tools.
+/// Replaces the results of some machines by those of this run, which must have used the same tools.
 fn renew_kernels(
     again: Results,
     mut about: BTreeMap<&'static str, String>,
@@ -203,7 +203,7 @@ fn report_kernels(
     put("small.svg", &plot::small(&results))
 }
 
-/// The compilers.
+/// Returns the versions of the compilers.
 fn about(sizes: &[usize]) -> BTreeMap<&'static str, String> {
     let first = |program: &str| {
         let output = Command::new(program).arg("--version").output().ok()?;

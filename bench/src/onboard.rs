@@ -1,8 +1,8 @@
-//! Measures a control period of the onboard software on the Cortex-A9: executed instructions, counted
-//! exactly under QEMU, over whole flights.
+//! Measures a control period of the onboard software on the Cortex-A9: executed instructions, counted exactly under
+//! QEMU, over whole flights.
 //!
-//! A flight is flown by the models first; then the C gets the same inputs. It counts only if every output and
-//! every state of every period has the same bits.
+//! The models fly each flight first; then the C gets the same inputs. The result is valid only if every output and
+//! state of every period has the same bits.
 
 use bessemer_tests::toolchain;
 use bessemer_tests::{entry, flight_models, harness, process, words};
@@ -32,12 +32,12 @@ pub struct Row {
 }
 
 impl Row {
-    /// Their mean.
+    /// Returns the mean of the counts.
     pub fn mean(&self) -> f64 {
         self.counts.iter().sum::<u64>() as f64 / self.counts.len().max(1) as f64
     }
 
-    /// The number below which `share` of the periods stay.
+    /// Returns the number below which a fraction `share` of the periods are.
     pub fn at(&self, share: f64) -> u64 {
         let mut sorted = self.counts.clone();
         sorted.sort_unstable();
@@ -46,7 +46,7 @@ impl Row {
     }
 }
 
-/// The models, with everything that goes in and comes out written down.
+/// The models, with all their inputs and outputs recorded.
 #[derive(Default)]
 struct Recorded {
     models: Native,
@@ -68,7 +68,7 @@ impl Computer for Recorded {
     }
 }
 
-/// Counts the periods of each flight, or of its first seconds.
+/// Counts the periods of each flight, or of its first `longest` seconds.
 ///
 /// # Errors
 /// What a tool said, or that the C does not compute what the Rust does.

@@ -1,8 +1,8 @@
 //! Measures what the attributes add to a rebuild of the corpus, outside and inside generation builds.
 //!
-//! The same sources three times: without the attributes, with them, and with them in a generation build.
-//! Each is built anew after a change of its source, in turn; dependencies are built before. The time is
-//! that of the processors.
+//! There are three variants of the same sources: without the attributes, with them, and with them in a generation
+//! build. They are rebuilt alternately, each after a change of its source; dependencies are built before. The result
+//! is processor time.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -18,25 +18,25 @@ use crate::check_cost::{children_seconds, hundredths, spread};
 /// Processor seconds of each variant: smallest, median, largest.
 #[derive(Clone, Debug)]
 pub struct Rebuild {
-    /// Number of builds of each.
+    /// Number of builds of each variant.
     pub runs: usize,
     /// Lines of the sources.
     pub lines: usize,
-    /// Without attributes.
+    /// Processor seconds without attributes.
     pub plain: [f64; 3],
-    /// With attributes.
+    /// Processor seconds with attributes.
     pub annotated: [f64; 3],
-    /// With attributes, in a generation build.
+    /// Processor seconds with attributes in a generation build.
     pub generating: [f64; 3],
 }
 
 impl Rebuild {
-    /// The median of a variant over the median without attributes.
+    /// Returns the median of a variant divided by the median without attributes.
     fn ratio(&self, variant: [f64; 3]) -> f64 {
         variant[1] / self.plain[1]
     }
 
-    /// For machines.
+    /// Formats the result for machines.
     pub fn json(&self) -> Value {
         json!({
             "command": "cargo xtask bench --only rebuild",
@@ -50,7 +50,7 @@ impl Rebuild {
         })
     }
 
-    /// For people.
+    /// Formats the result for people.
     pub fn table(&self) -> String {
         let mut text = format!(
             "rebuild of the corpus ({} lines), processor seconds, {} runs each, interleaved\n\n",
@@ -74,10 +74,11 @@ impl Rebuild {
     }
 }
 
-/// Measures; `tick` is called after each build.
+/// Measures all variants; calls `tick` after each build.
 ///
 /// # Errors
-/// What cargo or the file system said.
+///
+/// The message of cargo or the file system.
 pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Rebuild, String> {
     let failed = |error: std::io::Error| error.to_string();
     let programs = bessemer_tests::root().join("tests/corpus/src/programs");
@@ -129,7 +130,7 @@ pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Rebuild, String> {
 const NEEDY: [&str; 4] =
     ["complex_numbers", "named_iterators", "other_crates", "powers_of_matrices"];
 
-/// Copies a folder of programs, and gives the text of its modules; without attributes if so asked.
+/// Copies a folder of programs and returns the text of its modules; without attributes unless `annotated` is set.
 fn copied(from: &Path, to: &Path, annotated: bool, lines: &mut usize) -> std::io::Result<String> {
     fs::create_dir_all(to)?;
     let mut paths = fs::read_dir(from)?
@@ -162,7 +163,7 @@ fn copied(from: &Path, to: &Path, annotated: bool, lines: &mut usize) -> std::io
     Ok(modules)
 }
 
-/// The attributes of the DSL.
+/// Names of the DSL's attributes.
 const OWN: [&str; 12] = [
     "data",
     "component",
@@ -197,7 +198,7 @@ fn without(line: &str) -> String {
     })
 }
 
-/// Reads an attribute whose `#[` is gone, and gives the text after it; none if it is not the DSL's.
+/// Parses an attribute after its `#[`, and returns the text after it; `None` if it is not one of the DSL's.
 fn behind(attribute: &str) -> Option<&str> {
     let name = attribute.split(['(', ']']).next()?;
     let rest = OWN.contains(&name).then(|| &attribute[name.len()..])?;

@@ -1,4 +1,5 @@
-//! Measures the gain of threads: large kernels on one and on two, in turns; their results are compared before the times count.
+//! Measures the gain of threads: large kernels on one thread and on two, alternately. Their results must be equal
+//! before times are measured.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -13,7 +14,7 @@ use crate::check_cost::{hundredths, spread};
 
 const FLAGS: [&str; 4] = ["-std=c99", "-O3", "-march=native", "-ffp-contract=off"];
 
-/// Rounds of a program each time it is its turn.
+/// Number of rounds of a program in each of its turns.
 const ROUNDS: usize = 11;
 
 /// A kernel's times in µs: the smallest, the median and the largest, on one thread and on two.
@@ -21,22 +22,23 @@ const ROUNDS: usize = 11;
 pub struct Row {
     /// Name of the kernel.
     pub name: String,
-    /// On one.
+    /// Times on one thread, µs.
     pub one: [f64; 3],
-    /// On two.
+    /// Times on two threads, µs.
     pub two: [f64; 3],
 }
 
 impl Row {
-    /// The median on two threads over that on one.
+    /// Returns the median on two threads divided by that on one.
     pub fn ratio(&self) -> f64 {
         self.two[1] / self.one[1]
     }
 }
 
-/// Measures, so many turns of each program.
+/// Measures every program `turns` times.
 ///
 /// # Errors
+///
 /// A program does not compile or run, or threads change a result.
 pub fn measure(turns: usize, mut tick: impl FnMut()) -> Result<Vec<Row>, String> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
@@ -66,7 +68,7 @@ pub fn measure(turns: usize, mut tick: impl FnMut()) -> Result<Vec<Row>, String>
     Ok(times.into_iter().map(row).collect())
 }
 
-/// The kernels and the program.
+/// Writes the sources of the kernels and of the program.
 fn write(folder: &Path) -> Result<Vec<PathBuf>, String> {
     let kernels = [
         (KernelRoutine::Inverse, vec![100]),
@@ -113,7 +115,7 @@ fn compile(
 struct Found {
     name: String,
     result: String,
-    /// In µs.
+    /// Times, µs.
     times: Vec<f64>,
 }
 
@@ -131,7 +133,7 @@ fn run(program: &Path) -> Result<Vec<Found>, String> {
     list.filter(|_| output.status.success()).ok_or_else(|| "a program of ours failed".to_owned())
 }
 
-/// For people.
+/// Formats the results for people.
 pub fn table(rows: &[Row]) -> String {
     let mut text = format!(
         "kernels on one thread and on two, µs: median (smallest, largest)\n\n{:<14} {:>24} {:>24} {:>6}\n",
@@ -151,7 +153,7 @@ pub fn table(rows: &[Row]) -> String {
     text
 }
 
-/// For machines.
+/// Formats the results for machines.
 pub fn json(rows: &[Row]) -> Value {
     let row = |row: &Row| {
         json!({

@@ -1,6 +1,6 @@
-//! The command line: what can be asked, and the help that teaches it.
+//! The command line: the commands, their arguments, and the help texts.
 //!
-//! Invariant: only data and help texts; nothing is done here.
+//! Invariant: only data and help texts; nothing is executed here.
 
 use std::path::PathBuf;
 
@@ -13,7 +13,7 @@ const STYLES: Styles = Styles::styled()
     .literal(AnsiColor::Cyan.on_default().bold())
     .placeholder(AnsiColor::Cyan.on_default());
 
-/// As cargo calls a command of its own: with the command's name first.
+/// The command line of a cargo subcommand: cargo passes the subcommand's name as the first argument.
 #[derive(Debug, Parser)]
 #[command(name = "cargo", bin_name = "cargo", styles = STYLES)]
 pub struct Arguments {

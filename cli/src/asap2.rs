@@ -1,7 +1,7 @@
-//! `cargo bessemer a2l`: a description in ASAP2 of variables in a linked firmware, for measurement and calibration tools.
+//! `cargo bessemer a2l`: describes variables of a linked firmware in ASAP2, for measurement and calibration tools.
 //!
-//! Invariants: addresses and sizes are those of the ELF's symbols; offsets, units and ranges are the interface's. A variable
-//! whose size is that of no layout of its type is refused. It must not know what the C computes.
+//! Invariants: addresses and sizes come from the ELF's symbols; offsets, units and ranges from the interface. A
+//! variable is refused if no layout of its type has its size. It must not know what the C computes.
 
 use std::fmt::Write as _;
 use std::path::Path;

@@ -1,6 +1,6 @@
-//! `cargo bessemer doctor`: what this machine and this workspace have, what is missing, and what to do about it.
+//! `cargo bessemer doctor`: lists what this machine and this workspace have, what is missing, and the remedies.
 //!
-//! Invariants: it changes nothing; the text is made by a function of the findings alone.
+//! Invariants: it changes nothing; its text depends only on the findings.
 
 use std::fmt::Write as _;
 use std::path::Path;

@@ -22,7 +22,7 @@ pub enum Error {
     /// The folder of a new package exists already.
     #[error("`{folder}` exists already")]
     Exists {
-        /// Its path.
+        /// Path of the folder.
         folder: PathBuf,
     },
     /// No checkout of Bessemer is at the given place.
@@ -48,7 +48,7 @@ pub enum Error {
     /// A recording cannot be read.
     #[error("`{path}`: {wrong}")]
     Recording {
-        /// Its path.
+        /// Path of the recording.
         path: PathBuf,
         /// The defect.
         wrong: Box<crate::verify::recording::Wrong>,
@@ -80,7 +80,7 @@ pub enum Error {
     /// A compiler of C refused what was emitted.
     #[error("{name} cannot compile the C: {said}")]
     Compiler {
-        /// Its name.
+        /// Name of the compiler.
         name: String,
         /// The compiler's message.
         said: String,
@@ -94,7 +94,7 @@ pub enum Error {
     /// A firmware is no ELF.
     #[error("`{path}`: {why}")]
     Elf {
-        /// Its path.
+        /// Path of the firmware.
         path: PathBuf,
         /// The defect.
         why: String,
@@ -125,7 +125,7 @@ pub enum Error {
     /// A file or folder could not be read or written.
     #[error("`{path}`: {source}")]
     File {
-        /// Its path.
+        /// Path of the file or folder.
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,

@@ -1,10 +1,10 @@
-//! `cargo bessemer fmu`: an entry point as a co-simulation unit of FMI 3.0, with its sources and a library for this machine.
+//! `cargo bessemer fmu`: an entry point as a co-simulation unit of FMI 3.0, with its sources and a library for this
+//! machine.
 //!
-//! Data that an entry point borrows and that has a `…_defaults()` becomes parameters; what else goes in becomes inputs, what
-//! comes out outputs, and the state of the component local variables.
+//! Data that an entry point borrows and that has a `…_defaults()` function becomes parameters. Other inputs become
+//! inputs, results become outputs, and the component's state becomes local variables.
 //!
-//! Invariants: the unit computes with the C as it is emitted; the same C gives the same unit. It must not know what the C
-//! computes.
+//! Invariants: the unit runs the emitted C; the same C gives the same unit. It must not know what the C computes.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -40,7 +40,7 @@ enum Causality {
 /// A variable of the unit.
 struct Variable<'f> {
     name: String,
-    /// Its place in the values of an instance.
+    /// Place of the variable in the values of an instance.
     place: String,
     causality: Causality,
     value: &'f Value,

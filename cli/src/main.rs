@@ -1,6 +1,6 @@
-//! Entry of `cargo bessemer`: reads the arguments, hands over, turns the outcome into an exit code.
+//! Entry of `cargo bessemer`: parses the arguments, runs the command, and converts its outcome to an exit code.
 //!
-//! Invariant: no decision is taken here; everything else is in the library, where tests reach it.
+//! Invariant: no decisions are made here; everything else is in the library, where tests reach it.
 
 use std::path::Path;
 use std::process::ExitCode;

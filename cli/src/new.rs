@@ -213,7 +213,7 @@ fn between(from: &Path, to: &Path) -> PathBuf {
 mod tests {
     use super::*;
 
-    /// Those that cannot be used: `tests/refusals/settings.rs`.
+    /// Accepted names of packages; `tests/refusals/settings.rs` has the rejected ones.
     #[test]
     fn names_that_mean_nothing_yet_are_taken() {
         for name in ["motor", "height_loop", "pid2", "a-b"] {

@@ -1,7 +1,7 @@
-//! `cargo bessemer py`: the C as a module of Python, through ctypes; its arrays are NumPy's.
+//! `cargo bessemer py`: the C as a Python module, through ctypes; its arrays are NumPy's.
 //!
-//! Invariants: the module computes with the C as it is emitted, compiled by this machine's gcc or clang; what it says of
-//! types and names is the interface's. It must not know what the C computes.
+//! Invariants: the module runs the emitted C, compiled by this machine's gcc or clang; types and names come from the
+//! interface. It must not know what the C computes.
 
 use std::fmt::Write as _;
 use std::path::Path;

@@ -1,8 +1,8 @@
-//! `cargo bessemer sizes`: prints what each entry point adds to a firmware on this machine or another one. Columns:
+//! `cargo bessemer sizes`: prints what each entry point adds to a firmware, on this machine or another one. Columns:
 //! instructions and constants, initialised and zeroed memory, stack, state.
 //!
-//! An entry point brings what it calls, so that two of them share what both bring. What it calls of the C library's is not in it.
-//! Stack and state are what `gen` reports: bounds, of which `verify --target` says how much is used.
+//! The sizes of an entry point include its callees, so two entry points may share a part. Callees in the C library
+//! are not included. Stack and state are the bounds that `gen` reports; `verify --target` measures the used stack.
 
 use std::fmt::Write as _;
 use std::path::Path;

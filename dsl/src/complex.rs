@@ -313,37 +313,37 @@ pub fn norm<T: Real>(z: &Native<T>) -> T {
 /// The attributes call these in place of the methods of these names.
 #[doc(hidden)]
 pub trait ComplexMethods<T>: Sized {
-    /// [`from_polar`].
+    /// Calls [`from_polar`].
     fn dsl_from_polar(r: T, angle: T) -> Self;
-    /// [`cis`].
+    /// Calls [`cis`].
     fn dsl_cis(angle: T) -> Self;
-    /// [`abs`].
+    /// Calls [`abs`].
     fn dsl_abs(self) -> T;
-    /// [`arg`].
+    /// Calls [`arg`].
     fn dsl_arg(self) -> T;
     /// [`abs`], by its other name.
     fn dsl_modulus(self) -> T;
     /// [`arg`], by its other name.
     fn dsl_argument(self) -> T;
-    /// [`to_polar`].
+    /// Calls [`to_polar`].
     fn dsl_to_polar(self) -> (T, T);
-    /// [`powi`].
+    /// Calls [`powi`].
     fn dsl_powi(&self, exponent: i32) -> Self;
-    /// [`powf`].
+    /// Calls [`powf`].
     fn dsl_powf(self, exponent: T) -> Self;
-    /// [`exp`].
+    /// Calls [`exp`].
     fn dsl_exp(self) -> Self;
-    /// [`ln`].
+    /// Calls [`ln`].
     fn dsl_ln(self) -> Self;
-    /// [`sqrt`].
+    /// Calls [`sqrt`].
     fn dsl_sqrt(self) -> Self;
-    /// [`sin`].
+    /// Calls [`sin`].
     fn dsl_sin(self) -> Self;
-    /// [`cos`].
+    /// Calls [`cos`].
     fn dsl_cos(self) -> Self;
-    /// [`sinh`].
+    /// Calls [`sinh`].
     fn dsl_sinh(self) -> Self;
-    /// [`cosh`].
+    /// Calls [`cosh`].
     fn dsl_cosh(self) -> Self;
 }
 

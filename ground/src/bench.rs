@@ -1,9 +1,9 @@
-//! The aircraft on its bench: plant, motors, air and sensors, with a program at the other end of the bus as their
+//! The simulated aircraft: plant, motors, air and sensors, with a program at the other end of the bus as its
 //! computer.
 //!
-//! A period begins with the sensors' datagram and ends with the motors'. In virtual time the bench waits for the
-//! answer, in real time no longer than the period: then the last command holds, and the period counts as missed.
-//! Knows nothing of the ground.
+//! A period begins with the sensors' datagram and ends with the motors' datagram. In virtual time the bench waits for
+//! the answer; in real time it waits no longer than the period. Without an answer the last command remains, and the
+//! period counts as missed. Knows nothing of the ground station.
 
 use crate::wait;
 use bessemer::Plain;
@@ -25,7 +25,7 @@ use std::io;
 use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
 use std::time::{Duration, Instant};
 
-/// After so many periods without a command the motors stop, as those of real aircraft do.
+/// Number of periods without a command after which the motors stop, as on a real aircraft.
 const FAILSAFE: u64 = 20;
 
 /// Timeout of a running software in virtual time: it only ends a wait that would never end.
@@ -34,33 +34,33 @@ const ANSWER_TIMEOUT: Duration = Duration::from_secs(60);
 /// Period of checks that the software is still running.
 const LOOK: Duration = Duration::from_millis(500);
 
-/// Fault injections.
+/// Faults that can be injected into the aircraft.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "what", rename_all = "snake_case")]
 pub enum Injection {
-    /// A motor stops, or turns again.
+    /// A motor stops, or all run again.
     Motor {
         /// Index of the stopped motor; none if all run.
         number: Option<usize>,
     },
-    /// The gyroscope sticks.
+    /// The gyroscope sticks at its last value, or works again.
     Gyroscope {
         /// True if the sensor is stuck.
         stuck: bool,
     },
-    /// Vicon does not see the aircraft.
+    /// Vicon loses the aircraft, or sees it again.
     Vicon {
         /// True if the source is absent.
         away: bool,
     },
-    /// A wind blows.
+    /// Wind starts or changes.
     Wind {
         /// Along x and y, N.
         force: [f64; 2],
         /// Standard deviation of the gusts, N.
         gusts: f64,
     },
-    /// Somebody puts the aircraft back to where it stood, with a full battery.
+    /// The aircraft is put back to its start with a full battery.
     Back,
 }
 
@@ -79,7 +79,7 @@ pub struct Period {
     pub late: Vec<Worked>,
 }
 
-/// One step of the software: everything that it took, and everything that it said.
+/// One step of the software: its inputs and outputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Worked {
     /// Steps since it began.
@@ -91,7 +91,7 @@ pub struct Worked {
 }
 
 impl Period {
-    /// The steps of the software that are known by now, in their order.
+    /// The steps of the software whose answers have arrived, in order.
     pub fn worked(&self) -> impl Iterator<Item = Worked> + '_ {
         let Moment { inputs, outputs, .. } = self.moment;
         let now = self.count.map(|count| Worked { count, inputs, outputs });
@@ -110,7 +110,7 @@ pub struct Timing {
     pub slowest: u64,
 }
 
-/// The bench.
+/// The simulated aircraft, with the sockets to its computer.
 pub struct Bench {
     world: World,
     battery: Battery,
@@ -128,9 +128,10 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// The Mambo on the ground, under a seed.
+    /// A bench with the Mambo on the ground; the seed determines all noise.
     ///
     /// # Errors
+    ///
     /// There is no port.
     pub fn new(seed: u64) -> io::Result<Self> {
         let period = Settings::mambo().parameters.period;
@@ -171,9 +172,10 @@ impl Bench {
         Ok(self.bus.local_addr()?.port())
     }
 
-    /// Waits until a computer is there; whether one came.
+    /// Waits until a computer connects; returns false after `patience`.
     ///
     /// # Errors
+    ///
     /// An error of the system.
     pub fn wait(&mut self, patience: Duration) -> io::Result<bool> {
         let deadline = Instant::now() + patience;
@@ -195,12 +197,12 @@ impl Bench {
         &self.world.state
     }
 
-    /// Its battery.
+    /// Returns the state of the battery.
     pub fn battery(&self) -> &Battery {
         &self.battery
     }
 
-    /// Does something to the aircraft.
+    /// Injects a fault.
     pub fn inject(&mut self, what: Injection) {
         match what {
             Injection::Motor { number } => {
@@ -324,12 +326,12 @@ impl Bench {
         Ok(None)
     }
 
-    /// Forgets the computer: another one will say that it is there.
+    /// Forgets the computer; another one will announce itself.
     pub fn unplug(&mut self) {
         self.computer = None;
     }
 
-    /// Takes one datagram in before `deadline`; whether one came. Answers are handed to `take`.
+    /// Receives one datagram before `deadline` and passes an answer to `take`. Returns false if no datagram arrived.
     fn hear(&mut self, deadline: Instant, take: impl FnOnce(Answer)) -> io::Result<bool> {
         let mut buffer = [0; 4096];
         let (length, from) = match wait::receive(&self.bus, &mut buffer, deadline) {
@@ -365,11 +367,11 @@ pub fn station(address: SocketAddr) -> Option<u64> {
 pub struct Answer {
     /// The period's number.
     pub number: u64,
-    /// Periods since the software began.
+    /// Number of periods since the software began.
     pub count: u64,
     /// Number of the station to which a packet went down; 0 if no packet did.
     pub station: u64,
-    /// The packet that it took from the ground in this period.
+    /// The packet from the ground that the software received in this period.
     pub uplink: Packet,
     /// Packets that its gate has rejected.
     pub refused: Refused,
@@ -378,7 +380,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// The answer in a datagram; none, if it is none.
+    /// Parses an answer; `None` if the datagram is not one.
     pub fn read(datagram: &[u8]) -> Option<Self> {
         let all: Vec<u64> = datagram
             .chunks_exact(8)
@@ -403,7 +405,7 @@ impl Answer {
     }
 }
 
-/// The Mambo's battery.
+/// A full battery of the Mambo.
 fn full() -> Battery {
     Battery::new(&Vehicle::mambo())
 }
@@ -413,7 +415,7 @@ pub fn bytes(words: &[u64]) -> Vec<u8> {
     words.iter().flat_map(|word| word.to_le_bytes()).collect()
 }
 
-/// A force within what an aircraft of this size could be meant to meet, N; 0 for what is no number.
+/// A force limited to plausible values for an aircraft of this size, N; 0 if it is not a number.
 fn bounded(force: f64) -> f64 {
     if force.is_finite() { force.clamp(-1.0, 1.0) } else { 0.0 }
 }

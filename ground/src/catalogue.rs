@@ -1,18 +1,18 @@
 //! The names and units of signals and parameters, and the ranges of parameters.
 //!
-//! The numbers are the models'; the names are only for people.
+//! The numbers are those of the models; the names are only for people.
 
 use models::tuning::{FIRST_GROUND_ONLY, LARGEST_VALUES, LEAST_VALUES};
 use serde::Serialize;
 
-/// A signal that the onboard logger can write down.
+/// A signal that the onboard logger can record.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Signal {
-    /// Its number on board.
+    /// Number of the signal on board.
     pub number: u8,
-    /// Its name.
+    /// Name of the signal.
     pub name: &'static str,
-    /// Its unit.
+    /// Unit of the signal.
     pub unit: &'static str,
 }
 
@@ -52,20 +52,20 @@ pub const PAGE_SIGNALS: [u8; 36] = [
     34, 35, 48, 49, 51, 52, 53, 54, 55, 56,
 ];
 
-/// A parameter that the ground can change.
+/// A parameter that the ground station can change.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Parameter {
-    /// Its number on board.
+    /// Number of the parameter on board.
     pub number: u8,
-    /// Its name.
+    /// Name of the parameter.
     pub name: &'static str,
-    /// Its unit.
+    /// Unit of the parameter.
     pub unit: &'static str,
-    /// Its least value.
+    /// Lower limit of the value.
     pub least: f64,
-    /// Its largest value.
+    /// Upper limit of the value.
     pub most: f64,
-    /// True if it changes in flight.
+    /// True if the parameter can be changed in flight.
     pub in_flight: bool,
     /// Names of its values 0, 1 …; empty if the values are numbers.
     pub choices: &'static [&'static str],
@@ -95,7 +95,7 @@ const NAMED: [(&str, &str); models::tuning::PARAMETER_COUNT] = [
     (CANDIDATE, ""),
 ];
 
-/// The parameter whose values are the laws that close the loop, by the numbers of `models::Candidate`.
+/// Name of the parameter that selects the control law; its values are the numbers of `models::Candidate`.
 const CANDIDATE: &str = "candidate";
 const CANDIDATES: [&str; 3] = ["cascade", "as printed", "geometric"];
 

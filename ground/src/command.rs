@@ -1,11 +1,11 @@
-//! The right to command: one client at a time has it, page or external tool.
+//! The right to command the aircraft: one client has it at a time, a page or an external tool.
 //!
-//! Knows nobody's rights to it: whoever requests the command has shown them.
+//! Does not know who may request the right: callers check that first.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// The command.
+/// The right to command, shared by all clients.
 #[derive(Debug, Default)]
 pub struct Command {
     /// Client that has the right; 0 for nobody.
@@ -14,7 +14,7 @@ pub struct Command {
 }
 
 impl Command {
-    /// A seat beside the others.
+    /// Creates a seat for one more client.
     pub fn seat(self: &Arc<Self>) -> Seat {
         Seat { number: 1 + self.seats.fetch_add(1, Ordering::Relaxed), command: self.clone() }
     }
@@ -25,7 +25,7 @@ impl Command {
     }
 }
 
-/// Somebody who may have the command. Whoever leaves, has it no more.
+/// A client that may request the right to command. Dropping it gives the right back.
 #[derive(Debug)]
 pub struct Seat {
     command: Arc<Command>,
@@ -33,7 +33,7 @@ pub struct Seat {
 }
 
 impl Seat {
-    /// Takes the command if nobody else has it, or by `force`; whether it is held now.
+    /// Takes the right if no other client has it, or if `force` is set. Returns true if this client has it now.
     pub fn claim(&self, force: bool) -> bool {
         if force {
             self.command.holder.store(self.number, Ordering::Relaxed);
@@ -42,7 +42,7 @@ impl Seat {
         self.holds() || self.change(0, self.number)
     }
 
-    /// Gives the command back, if it is held.
+    /// Gives the right back, if this client has it.
     pub fn release(&self) {
         self.change(self.number, 0);
     }

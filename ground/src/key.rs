@@ -1,7 +1,7 @@
-//! The seal of those who may command: a counter and a sum over the packet, as `models::gate` wants them.
+//! The seal on commands: a counter and a keyed checksum over the packet, as `models::gate` expects them.
 //!
-//! Written against the description of the packets, not with the models' code. A key is never shown: it has no
-//! `Display`, and its `Debug` hides it.
+//! Written from the description of the packets, not with the models' code. A key is never shown: it has no `Display`,
+//! and its `Debug` hides it.
 
 use models::packet::Packet;
 use sim::ground_station::{framed, unframed};
@@ -30,7 +30,7 @@ pub enum Error {
         /// An error of the system.
         source: std::io::Error,
     },
-    /// It holds something else.
+    /// The file does not hold a key.
     #[error(
         "`{path}` holds no key: it takes {} hexadecimal digits, such as `openssl rand -hex {bytes}` prints",
         2 * bytes
@@ -65,7 +65,7 @@ fn digits<const N: usize>(text: &str) -> Option<[u8; N]> {
 }
 
 impl Key {
-    /// The key with these bytes.
+    /// Creates a key from its bytes.
     pub fn new(bytes: [u8; 16]) -> Self {
         Self(bytes)
     }
@@ -78,18 +78,18 @@ impl Key {
         secret(path).map(Self)
     }
 
-    /// The key as the onboard program reads it: only for its standard input.
+    /// The key as a line for the onboard program's standard input.
     pub(crate) fn line(&self) -> String {
         self.0.iter().map(|byte| format!("{byte:02x}")).collect()
     }
 
-    /// Its halves, as the gate has them: only for the onboard program.
+    /// The two halves of the key, for the gate of the onboard program.
     pub(crate) fn halves(&self) -> [u64; 2] {
         let all = u128::from_le_bytes(self.0);
         [all as u64, (all >> 64) as u64]
     }
 
-    /// The packet with its seal; none if it has no room for one, or is no packet.
+    /// Adds counter and checksum to a packet; `None` if it is too long or not a packet.
     pub fn seal(&self, packet: &Packet, counter: u64) -> Option<Packet> {
         let bytes = packet.bytes.get(..packet.length)?;
         let (kind, payload) = unframed(bytes)?;

@@ -1,7 +1,7 @@
-//! A listener with so many connections at most: who comes later is turned away at once.
+//! A listener with a maximum number of connections: further ones are closed at once.
 //!
-//! Without it, whoever opens enough of them takes the file descriptors that recordings and a new start of the onboard
-//! software need. Knows nothing of what is said.
+//! Without the limit, clients with many connections could use up the file descriptors that recordings and a restart
+//! of the onboard software need. Does not know the protocol.
 
 use axum::serve::Listener;
 use std::io;
@@ -13,14 +13,14 @@ use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
-/// The listener.
+/// A listener with a maximum number of connections.
 pub struct Limited {
     listener: TcpListener,
     free: Arc<Semaphore>,
 }
 
 impl Limited {
-    /// Lets in `most` at once.
+    /// Limits the listener to `most` connections at a time.
     pub fn new(listener: TcpListener, most: usize) -> Self {
         Self { listener, free: Arc::new(Semaphore::new(most)) }
     }
@@ -48,7 +48,7 @@ impl Listener for Limited {
     }
 }
 
-/// A connection that counts until it is closed.
+/// A connection that counts towards the limit until it is closed.
 pub struct Held {
     stream: TcpStream,
     _permit: OwnedSemaphorePermit,

@@ -1,7 +1,7 @@
-//! The testbed with the server at its side: what pages request goes in, what comes down goes out.
+//! The testbed together with the server: requests of pages are executed, and received messages are sent to pages.
 //!
-//! Invariant: nothing here waits. What pages request is taken from a queue of a fixed length; what they are reported
-//! is handed over and forgotten; a recording has a thread of its own.
+//! Invariant: nothing here waits. Requests of pages come from a queue of fixed length; messages to pages are handed
+//! over without waiting; a recording has its own thread.
 
 use crate::bench::{Period, Timing};
 use crate::catalogue::{PAGE_SIGNALS, SIGNALS, parameters};
@@ -21,13 +21,13 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 
-/// Capacity of the queue of requests: half a second of busy sticks.
+/// Capacity of the queue of requests: half a second of moving sticks.
 const QUEUE_LENGTH: usize = 64;
 
-/// The state goes out every so many periods.
+/// Number of periods between two messages with the testbed's state.
 const STATE_EVERY: u64 = 50;
 
-/// The testbed and its listeners.
+/// The testbed, and the tools and pages that observe it.
 pub struct Live {
     /// The testbed.
     pub testbed: Testbed,
@@ -42,7 +42,7 @@ pub struct Live {
     tools: Vec<(Box<dyn Tool>, Seat)>,
 }
 
-/// A queue for what pages request.
+/// Creates the queue for requests of pages.
 pub fn queue() -> (SyncSender<Ask>, Receiver<Ask>) {
     sync_channel(QUEUE_LENGTH)
 }
@@ -84,7 +84,7 @@ pub fn hello(authenticated: bool) -> Tell {
     }
 }
 
-/// `TakeOff` as people write it.
+/// Converts `TakeOff` to `take off`.
 fn spaced(name: &str) -> String {
     let mut text = String::new();
     for letter in name.chars() {
@@ -97,7 +97,7 @@ fn spaced(name: &str) -> String {
 }
 
 impl Live {
-    /// A testbed whose pages ask through `asked`; recordings go to `folder`.
+    /// Creates a testbed whose requests arrive through `asked`; recordings are written to `folder`.
     pub fn new(testbed: Testbed, hub: Arc<Hub>, asked: Receiver<Ask>, folder: PathBuf) -> Self {
         let recorded = Recording::default();
         let tools = Vec::new();
@@ -105,14 +105,15 @@ impl Live {
         Self { testbed, hub, asked, recorder, recorded, failed, folder, files: 0, tools }
     }
 
-    /// Puts a tool at the testbed's side.
+    /// Adds an external tool.
     pub fn add(&mut self, tool: impl Tool + 'static) {
         self.tools.push((Box::new(tool), self.hub.seat()));
     }
 
-    /// Begins to record into a file.
+    /// Starts a recording to a file.
     ///
     /// # Errors
+    ///
     /// The file cannot be written.
     pub fn record(&mut self, path: PathBuf) -> Result<(), Unwritable> {
         self.save();
@@ -121,9 +122,10 @@ impl Live {
         Ok(())
     }
 
-    /// One period: requests, the testbed, results.
+    /// Runs one period: executes requests, advances the testbed, and reports the results.
     ///
     /// # Errors
+    ///
     /// The testbed ended.
     pub fn step(&mut self) -> Result<Period, Error> {
         if self.hub.take_stop() {
@@ -160,7 +162,7 @@ impl Live {
         Ok(done)
     }
 
-    /// Ends the recording, if one is made.
+    /// Finishes the recording, if there is one.
     pub fn save(&mut self) {
         let Some(recorder) = self.recorder.take() else { return };
         let path = recorder.path().to_owned();
@@ -226,7 +228,7 @@ impl Live {
         }
     }
 
-    /// Executes a page's request. Its sender has been checked; its content has not.
+    /// Executes a request of a page. Its sender has been checked; its content has not.
     fn obey(&mut self, ask: Ask) {
         let now = self.testbed.now();
         let station = &mut self.testbed.station;
@@ -289,7 +291,7 @@ fn set_point(point: &Point) -> SetPoint {
     SetPoint { time, position: Vector3::new(x, y, z), yaw }
 }
 
-/// 0 to 1; 0 for what is no number.
+/// Limits a value to 0 to 1; 0 if it is not a number.
 fn share(value: f64) -> f64 {
     if value.is_nan() { 0.0 } else { value.clamp(0.0, 1.0) }
 }

@@ -31,7 +31,7 @@ macro_rules! warn {
     }};
 }
 
-/// The ground station.
+/// Command line of the ground station.
 #[derive(Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask")]
 struct Arguments {
@@ -55,7 +55,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Flies until a signal or `--seconds`. Returns false if a recording failed.
+/// Flies until a signal arrives or `--seconds` have passed. Returns false if a recording failed.
 fn fly(wanted: &Fly) -> Result<bool, Box<dyn Error>> {
     let ending = ending::requested()?;
     if let Some(path) = &wanted.record {
@@ -164,7 +164,7 @@ fn add_tools(wanted: &Fly, live: &mut Live) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// That this program was built without a tool.
+/// The error for a tool that was not built into this program.
 #[cfg(not(all(feature = "foxglove", feature = "mavlink")))]
 fn unbuilt(_: &mut Live, tool: &str, address: SocketAddr) -> Box<dyn Error> {
     format!("this program was built without `{tool}`, for {address}: `cargo xtask fly` builds it with it").into()
@@ -227,7 +227,7 @@ fn target(machine: Machine) -> Target {
     }
 }
 
-/// Opens the page in the browser; where there is none, the address has been printed.
+/// Opens the page in the browser; without a browser, the printed address remains.
 fn show(page: &str) {
     let quiet = Stdio::null;
     let _ =

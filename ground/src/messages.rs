@@ -1,6 +1,6 @@
 //! The messages to and from the browser: JSON over a WebSocket, each an object with a `type`.
 //!
-//! Only data. Whoever reads a message has checked who sent it.
+//! Data only. The server checks the sender of each request.
 
 use crate::bench::{Injection, Timing};
 use crate::catalogue::{Parameter, Signal};
@@ -9,10 +9,10 @@ use crate::station::{Down, Outcome};
 use models::receiver::Mode;
 use serde::{Deserialize, Serialize};
 
-/// A set point, as the page writes it.
+/// A setpoint from the page.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Point {
-    /// From when, in seconds since the take-off.
+    /// Time since the take-off from which it applies, s.
     pub time: f64,
     /// Position along x, m.
     pub x: f64,
@@ -24,15 +24,15 @@ pub struct Point {
     pub yaw: f64,
 }
 
-/// A mode, as the page writes it.
+/// A flight mode from the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Flown {
-    /// The closed loop.
+    /// Flies a trajectory with the closed loop alone.
     ClosedLoop,
-    /// The closed loop and the feed-forward.
+    /// Flies a trajectory with the closed loop and the feed-forward.
     FeedForward,
-    /// Sticks.
+    /// Follows the sticks.
     Manual,
 }
 
@@ -50,24 +50,24 @@ impl From<Flown> for Mode {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Ask {
-    /// To be allowed to command.
+    /// Requests the right to command.
     Claim {
         /// The token of the address that the program printed.
         token: String,
-        /// True to take the right from another client.
+        /// True to take the right away from another client.
         #[serde(default)]
         force: bool,
     },
-    /// To command no more.
+    /// Gives the right to command back.
     Release,
-    /// To know how long the way to the server and back is: the number comes back.
+    /// Measures the round trip to the server: the number is sent back.
     Ping {
-        /// Any number.
+        /// An arbitrary number.
         number: f64,
     },
-    /// Stops the motors: anybody with the token may.
+    /// Stops the motors; any client with the token may do that.
     Stop,
-    /// Makes ready for a flight.
+    /// Arms the motors.
     Arm,
     /// Takes off.
     TakeOff,
@@ -75,7 +75,7 @@ pub enum Ask {
     Land,
     /// Changes the mode.
     Mode {
-        /// To which.
+        /// Mode to change to.
         mode: Flown,
     },
     /// Moves the sticks.
@@ -91,53 +91,53 @@ pub enum Ask {
     },
     /// Flies a trajectory.
     Fly {
-        /// Its set points, in the order of their times.
+        /// Setpoints in the order of their times.
         points: Vec<Point>,
     },
     /// Sets a parameter.
     Set {
-        /// Its number.
+        /// Number of the parameter.
         number: u8,
-        /// Its value.
+        /// New value.
         value: f64,
     },
-    /// Chooses what comes down.
+    /// Selects the signals of the downlink.
     Choose {
-        /// Every so many periods.
+        /// Number of periods between two records.
         every: u8,
-        /// The numbers of the signals: up to 36.
+        /// Numbers of at most 36 signals.
         signals: Vec<u8>,
     },
-    /// Does something to the simulated aircraft.
+    /// Injects a fault into the simulated aircraft.
     Inject {
         /// Fault to inject.
         injection: Injection,
     },
-    /// Kills the onboard software, which is then started anew.
+    /// Kills the onboard software, which is then restarted.
     Kill,
-    /// Makes the link worse, or better: probabilities, and a delay in s.
+    /// Changes the quality of the link.
     Link {
-        /// Datagrams are lost.
+        /// Probability that a datagram is lost.
         loss: f64,
-        /// They come twice.
+        /// Probability that a datagram is delivered twice.
         duplication: f64,
-        /// They are overtaken.
+        /// Probability that a datagram is overtaken by later ones.
         reordering: f64,
-        /// They are late, s.
+        /// Delay of all datagrams, s.
         delay: f64,
     },
-    /// Begins to record.
+    /// Starts a recording.
     Record,
-    /// Ends the recording.
+    /// Finishes the recording.
     Save,
-    /// Shows a flight that is over so many times as fast; 0 stands still.
+    /// Sets the speed at which a recorded flight is shown; 0 pauses it.
     Play {
         /// Speed, in seconds of the recording per second.
         speed: f64,
     },
-    /// Goes to a time of it.
+    /// Jumps to a time in a recorded flight.
     Seek {
-        /// Since the testbed began, s.
+        /// Time since the testbed began, s.
         time: f64,
     },
 }
@@ -155,13 +155,13 @@ impl Ask {
 pub enum Tell {
     /// Constants of the session, sent first.
     Hello {
-        /// The signals that there are.
+        /// All signals.
         signals: &'static [Signal],
-        /// The parameters that there are.
+        /// All parameters.
         parameters: Vec<Parameter>,
-        /// The parts of a flight, by their numbers.
+        /// Names of the flight's phases, by number.
         phases: Vec<String>,
-        /// The alarms, by their numbers.
+        /// Names of the alarms, by number.
         alarms: Vec<String>,
         /// True if commands are sealed.
         authenticated: bool,
@@ -170,13 +170,13 @@ pub enum Tell {
         /// The control period, s.
         period: f64,
     },
-    /// One record that came down.
+    /// A record from the downlink.
     Frame {
-        /// When, by the onboard software's periods.
+        /// Number of the onboard software's period.
         period: u32,
         /// The numbers of the signals.
         signals: Vec<u8>,
-        /// Their values.
+        /// Values of the signals.
         values: Vec<f32>,
         /// True state of the simulated aircraft: x, y, z, roll, pitch, yaw.
         truth: [f32; 6],
@@ -189,24 +189,24 @@ pub enum Tell {
     Command {
         /// True if this page has the right.
         granted: bool,
-        /// Why not.
+        /// Reason why the right was not granted.
         reason: &'static str,
     },
     /// Result of a command.
     Outcome {
-        /// The order.
+        /// Name of the command.
         order: String,
         /// Result of the command.
         outcome: Outcome,
     },
     /// A request of the page was malformed or not allowed.
     Refused {
-        /// Why.
+        /// Reason for the rejection.
         reason: String,
     },
     /// The answer to a ping.
     Pong {
-        /// The number that came with it.
+        /// The number from the ping.
         number: f64,
     },
 }
@@ -214,9 +214,9 @@ pub enum Tell {
 /// Position of the player in a recorded flight.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Playing {
-    /// The beginning of the recording, s.
+    /// Start of the recording, s.
     pub from: f64,
-    /// Its end, s.
+    /// End of the recording, s.
     pub to: f64,
     /// Time in the recording, s.
     pub time: f64,
@@ -237,25 +237,26 @@ pub struct State {
     pub silence: Option<f64>,
     /// Statistics of the period's timing.
     pub timing: Timing,
-    /// Fate of the uplink's datagrams.
+    /// Counters of the uplink's datagrams.
     pub up: Counts,
-    /// Fate of the downlink's datagrams.
+    /// Counters of the downlink's datagrams.
     pub down: Counts,
-    /// Statistics of the downlink in the station.
+    /// Counters of the packets that the ground station received.
     pub heard: Down,
-    /// Numbers of packets on board: accepted, corrupt, outdated, invalid, unsealed, forged, replayed; records lost.
+    /// Counters of packets on board: accepted, corrupt, outdated, invalid, unsealed, forged, replayed; and of lost
+    /// records.
     pub counts: Option<[u32; 8]>,
-    /// The mode's number.
+    /// Number of the flight mode.
     pub mode: Option<u8>,
-    /// The parameters, as far as they are known.
+    /// Values of the parameters; `None` for those not received yet.
     pub parameters: Vec<Option<f64>>,
-    /// Pages that look on.
+    /// Number of connected pages.
     pub pages: usize,
     /// True if any client has the right to command.
     pub commanded: bool,
-    /// Messages that were left out for pages that read too slowly.
+    /// Number of messages dropped for pages that read too slowly.
     pub skipped: u64,
-    /// Messages that tools kept out: over MAVLink, unsigned, forged, or said once more.
+    /// Number of MAVLink messages rejected because they were unsigned, forged or repeated.
     pub refused: u64,
     /// State of the recording.
     pub recording: Recording,
@@ -266,7 +267,7 @@ pub struct State {
 pub struct Recording {
     /// True while recording.
     pub running: bool,
-    /// Periods in it.
+    /// Number of recorded periods.
     pub periods: u64,
     /// Error that ended the recording.
     pub error: Option<String>,

@@ -1,5 +1,5 @@
-//! The page's files, as npm built them from `ground/web`: they are in the program, so that it works without
-//! files and without the internet.
+//! The files of the page, built by npm from `ground/web`. They are part of the program, so that it needs no other
+//! files and no internet.
 
 /// Name, kind and content of each file.
 const FILES: &[(&str, &str, &[u8])] = &[

@@ -1,7 +1,7 @@
-//! A flight that is over, shown in the page once more: the frames of its recording, at the pace that is requested.
+//! Shows a recorded flight in the page again: the frames of the recording, at the requested speed.
 //!
-//! Needs no software and no aircraft: what it said is in the recording, each step whole, so that every signal can be
-//! shown whatever came down then.
+//! Needs no software and no aircraft. The recording has every step completely, so every signal can be shown, even if
+//! it was not part of the downlink.
 
 use crate::bench::Worked;
 use crate::catalogue::SIGNALS;
@@ -17,19 +17,19 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 
-/// One frame in so many periods: at 50 Hz.
+/// Number of periods between two frames: 50 Hz.
 const DECIMATION: u64 = 4;
 
-/// The page is reported where the player is every so often, s of the clock on the wall.
+/// Real time between two reports of the player's position to the page, s.
 const TOLD: f64 = 0.25;
 
-/// The fastest that a flight is shown.
+/// The greatest speed at which a flight is shown.
 const FASTEST: f64 = 16.0;
 
 /// A frame of a recording.
 #[derive(Clone, Debug)]
 struct Frame {
-    /// Since the testbed began, s.
+    /// Time since the testbed began, s.
     time: f64,
     tell: Tell,
 }
@@ -44,15 +44,16 @@ pub struct Player {
     /// Time in the recording, s.
     time: f64,
     speed: f64,
-    /// The first frame that has not been shown.
+    /// Index of the first frame that has not been shown.
     next: usize,
     untold: f64,
 }
 
 impl Player {
-    /// A recording, whose pages ask through `asked`.
+    /// Opens a recording; requests of pages arrive through `asked`.
     ///
     /// # Errors
+    ///
     /// The recording cannot be read, or has nothing to show.
     pub fn open(path: &Path, hub: Arc<Hub>, asked: Receiver<Ask>) -> Result<Self, Error> {
         let (frames, missing) = read(path)?;
@@ -71,7 +72,7 @@ impl Player {
         Playing { from, to, time: self.time, speed: self.speed }
     }
 
-    /// So much time has passed on the wall, s: shows what is due.
+    /// Advances by `passed` seconds of real time, and shows the frames that are due.
     pub fn step(&mut self, passed: f64) {
         while let Ok(ask) = self.asked.try_recv() {
             self.obey(&ask);
@@ -108,7 +109,7 @@ impl Player {
     }
 }
 
-/// Reads the frames of a recording, and the number of bytes that are missing from it.
+/// Reads the frames of a recording, and the number of bytes missing at its end.
 fn read(path: &Path) -> Result<(Vec<Frame>, Option<usize>), Error> {
     let recorded = Recorded::read(path)?;
     let broken = |source| Error::Mcap { path: path.to_owned(), source };

@@ -1,7 +1,7 @@
-//! Priority of the thread that keeps the period over all other work of the machine, where the system allows it.
+//! Raises the priority of the thread that runs the control periods, if the system allows it.
 //!
-//! Pages, recordings and whatever else runs must not make a period late. Without the right to it (on Linux `CAP_SYS_NICE` or a limit
-//! of real-time priorities) everything runs as it did: the period is then kept as far as the machine is free.
+//! Pages, recordings and other programs must not delay a period. Without the permission (on Linux `CAP_SYS_NICE` or a
+//! limit of real-time priorities) the program runs with ordinary priority, and periods may be late on a busy machine.
 
 use std::fs::File;
 use std::io::Write;
@@ -12,7 +12,8 @@ use thread_priority::{
     set_thread_priority_and_policy, thread_native_id,
 };
 
-/// Puts this thread, and the processes and threads that it starts, before ordinary ones; whether the system allows that.
+/// Raises the priority of this thread, and of processes and threads that it starts, above ordinary ones. Returns
+/// false if the system does not allow that.
 #[cfg(unix)]
 pub fn raise() -> bool {
     let first = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
@@ -20,7 +21,7 @@ pub fn raise() -> bool {
     set_thread_priority_and_policy(thread_native_id(), low, first).is_ok()
 }
 
-/// Puts this thread among the ordinary ones again: for what a raised one starts and does not wait for.
+/// Gives this thread ordinary priority, for work that a raised thread starts and does not wait for.
 #[cfg(unix)]
 pub fn lower() {
     let ordinary = ThreadSchedulePolicy::Normal(NormalThreadSchedulePolicy::Other);
@@ -28,13 +29,13 @@ pub fn lower() {
     let _ = set_thread_priority_and_policy(thread_native_id(), ThreadPriority::Min, ordinary);
 }
 
-/// Elsewhere nothing is requested.
+/// Does nothing on other systems.
 #[cfg(not(unix))]
 pub fn raise() -> bool {
     false
 }
 
-/// Nothing was raised.
+/// Does nothing, since no priority was raised.
 #[cfg(not(unix))]
 pub fn lower() {}
 
@@ -47,7 +48,7 @@ pub struct Awake {
 }
 
 impl Awake {
-    /// Asks for it; what the system does not allow is not missed.
+    /// Requests it; if the system does not allow that, nothing happens.
     pub fn keep() -> Awake {
         // Only no wait at all, µs, also rules out the sleep in which a virtual machine gives its processor away.
         let wait = 0_i32.to_ne_bytes();
@@ -56,7 +57,7 @@ impl Awake {
     }
 }
 
-/// Does something, such as starting a process, with a raised thread's priority.
+/// Runs a task, such as starting a process, with the raised priority of a separate thread.
 pub fn raised<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     std::thread::scope(|scope| {
         let thread = scope.spawn(|| {

@@ -30,13 +30,13 @@ pub enum Target {
     Zynq,
 }
 
-/// Why it does not run.
+/// Reason why the onboard software does not run.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// A compiler or an emulator is not there.
+    /// A compiler or an emulator is missing.
     #[error("{0}: {install}", install = .0.install)]
     Missing(#[from] Missing),
-    /// The compiler refused.
+    /// The compiler reported an error.
     #[error("the onboard software does not compile:\n{0}")]
     Compile(String),
     /// A file cannot be read or written.
@@ -47,7 +47,7 @@ pub enum Error {
         /// An error of the system.
         source: std::io::Error,
     },
-    /// The program does not start.
+    /// The program could not be started.
     #[error("`{program}` does not start: {source}")]
     Start {
         /// The program.
@@ -60,14 +60,14 @@ pub enum Error {
 /// The compiled program.
 #[derive(Clone, Debug)]
 pub enum Program {
-    /// With sockets of its own.
+    /// A program with sockets.
     Process {
         /// The program.
         path: PathBuf,
         /// Toolchain of the target.
         toolchain: Toolchain,
     },
-    /// At the other end of a serial line.
+    /// Firmware at the other end of a serial line.
     Firmware(Arc<Firmware>),
 }
 
@@ -114,9 +114,10 @@ impl Program {
         Ok(Self::Process { path, toolchain })
     }
 
-    /// Starts it: the bus that it is to reach, the key.
+    /// Starts the program with the port of the bus and the key.
     ///
     /// # Errors
+    ///
     /// It does not start.
     pub fn start(&self, bus: u16, key: Option<&Key>) -> Result<Running, Error> {
         match self {
@@ -150,7 +151,7 @@ impl Program {
     }
 }
 
-/// The firmware of the Zynq. What of it was compiled before comes from there (`bessemer_legs`).
+/// The firmware of the Zynq. Objects that were compiled before are reused (`bessemer_legs`).
 fn firmware(root: &Path) -> Result<Program, Error> {
     ZYNQ.check()?;
     let mut emitted = Vec::new();
@@ -167,7 +168,7 @@ fn firmware(root: &Path) -> Result<Program, Error> {
     Ok(Program::Firmware(Arc::new(built)))
 }
 
-/// The running program: it ends when this is dropped.
+/// The running program; dropping it ends the program.
 #[derive(Debug)]
 pub struct Running {
     process: Machine,
@@ -176,7 +177,7 @@ pub struct Running {
 }
 
 impl Running {
-    /// Why it is of no use any more; none while it runs.
+    /// Returns the reason why the program no longer works; `None` while it runs.
     pub fn ended(&mut self) -> Option<String> {
         let wrong = self.relay.as_ref().and_then(Relay::wrong);
         // A process that is gone closes its line: the process is the reason.
@@ -184,7 +185,7 @@ impl Running {
         gone.or_else(|| wrong.map(ToString::to_string))
     }
 
-    /// Its number, for whoever wants to kill it.
+    /// Returns the process number, for tests that kill it.
     pub fn id(&self) -> u32 {
         self.process.id()
     }

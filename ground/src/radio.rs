@@ -1,7 +1,7 @@
-//! A link that does to datagrams what links do: loses them, delivers them twice, late, or out of order.
+//! A simulated link with the errors of real ones: it loses datagrams, duplicates, delays and reorders them.
 //!
-//! Knows bytes and time, and no socket. What it does comes from a seed, so that a flight over a bad link can
-//! be flown again.
+//! Knows bytes and times, but no socket. Its errors come from a seed, so that a flight over a bad link can be
+//! repeated.
 
 use serde::Serialize;
 use sim::noise::{Purpose, Stream};
@@ -13,11 +13,11 @@ const OVERTAKEN_DELAY: f64 = 0.03;
 /// Quality of a link: probabilities for each datagram, and a delay for all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Quality {
-    /// It is lost.
+    /// Probability that a datagram is lost.
     pub loss: f64,
-    /// It comes twice.
+    /// Probability that a datagram is delivered twice.
     pub duplication: f64,
-    /// Others overtake it.
+    /// Probability that a datagram is overtaken by later ones.
     pub reordering: f64,
     /// Delay, s.
     pub delay: f64,
@@ -26,13 +26,13 @@ pub struct Quality {
 /// Counters of the datagrams by their fate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
-    /// Handed in.
+    /// Number of datagrams sent.
     pub sent: u64,
-    /// Never delivered.
+    /// Number of datagrams lost.
     pub lost: u64,
-    /// Delivered twice.
+    /// Number of datagrams delivered twice.
     pub doubled: u64,
-    /// Held back, so that others overtook them.
+    /// Number of datagrams delayed so that others overtook them.
     pub overtaken: u64,
 }
 
@@ -41,20 +41,20 @@ pub struct Counts {
 pub struct Way {
     /// Quality of the link.
     pub quality: Quality,
-    /// Fate of the datagrams.
+    /// Counters of the datagrams.
     pub counts: Counts,
     waiting: VecDeque<(f64, Vec<u8>)>,
     stream: Stream,
 }
 
 impl Way {
-    /// A direction under a seed.
+    /// Creates one direction of a link with a seed.
     pub fn new(quality: Quality, seed: u64) -> Self {
         let stream = Stream::new(seed, Purpose::Radio);
         Self { quality, counts: Counts::default(), waiting: VecDeque::new(), stream }
     }
 
-    /// Hands in a datagram at a time, s.
+    /// Sends a datagram at a time, s.
     pub fn send(&mut self, now: f64, bytes: &[u8]) {
         let Quality { loss, duplication, reordering, delay } = self.quality;
         self.counts.sent += 1;
@@ -83,7 +83,7 @@ impl Way {
         self.waiting.drain(..count).map(|(_, bytes)| bytes).collect()
     }
 
-    /// Behind all that are due no later.
+    /// Inserts a datagram after all that are due earlier or at the same time.
     fn insert(&mut self, due: f64, bytes: &[u8]) {
         let place = self.waiting.partition_point(|(other, _)| *other <= due);
         self.waiting.insert(place, (due, bytes.to_vec()));

@@ -1,7 +1,7 @@
-//! Reads the file of a recording; of a truncated one, the whole chunks.
+//! Reads the file of a recording; if it is truncated, its complete chunks.
 //!
-//! A program that was killed, or a full disk, leaves a file without an end, whose last chunk may be incomplete. The chunks
-//! before it are as they were written. Must not know the contents of the messages.
+//! If the program was killed or the disk was full, a file has no end, and its last chunk may be incomplete. The
+//! chunks before it are intact. Must not know the contents of the messages.
 
 use crate::replay::Error;
 use mcap::read::ChunkReader;
@@ -21,7 +21,7 @@ pub struct Recorded {
 }
 
 impl Recorded {
-    /// Reads a file, and looks for its last whole chunk if it is truncated.
+    /// Reads a file; if it is truncated, up to its last complete chunk.
     ///
     /// # Errors
     /// It cannot be read, or is no recording.
@@ -47,14 +47,15 @@ impl Recorded {
     /// Iterates over the messages in file order.
     ///
     /// # Errors
-    /// The file is not sound.
+    ///
+    /// The file is damaged.
     pub fn messages(&self) -> mcap::McapResult<MessageStream<'_>> {
         let options = self.missing.map(|_| mcap::read::Options::IgnoreEndMagic);
         MessageStream::new_with_options(&self.bytes, options.into_iter().collect())
     }
 }
 
-/// Returns the length of the sound records of a truncated recording; none for a complete one.
+/// Returns the length of the intact records of a truncated recording; `None` for a complete one.
 fn truncated(bytes: &[u8]) -> Option<usize> {
     let (mut at, mut records) = (MAGIC.len(), Vec::new());
     while let Some((&[operation, ref length @ ..], rest)) =
@@ -75,7 +76,7 @@ fn truncated(bytes: &[u8]) -> Option<usize> {
     Some(sound.last().map_or(MAGIC.len(), |(_, _, end)| end))
 }
 
-/// Returns whether a record can be read, including every record of a chunk.
+/// Returns true if a record can be read; for a chunk, every record in it.
 fn is_sound(operation: u8, body: &[u8]) -> bool {
     match mcap::parse_record(operation, body) {
         Ok(Record::Chunk { header, data }) => ChunkReader::new(header, &data)

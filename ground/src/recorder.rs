@@ -1,9 +1,9 @@
-//! A flight as an MCAP file, written while it is flown.
+//! Records a flight as an MCAP file while it is flown.
 //!
-//! Two kinds of topics: the ones of `sim::recording`, JSON for Foxglove and PlotJuggler, at 50 Hz; and, for the
-//! software to be run again, `/image`, its memory at the beginning, and `/steps`, the words of everything that it
-//! took and said in each period. A thread writes; when it cannot, or in real time not fast enough, the recording ends and
-//! says why, and the flight goes on. In virtual time the flight waits for the disk.
+//! There are two kinds of topics. Those of `sim::recording` are JSON for Foxglove and PlotJuggler, at 50 Hz. For a
+//! replay, `/image` is the software's memory at the beginning, and `/steps` has the words of its inputs and outputs
+//! in each period. A thread writes the file. If that fails, or is too slow in real time, the recording ends with an
+//! error, and the flight continues. In virtual time the flight waits for the disk.
 
 use crate::bench::{Period, Worked};
 use crate::messages::Recording;
@@ -59,9 +59,11 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Begins to write a file. `image` is the memory of software that already runs; `waits` lets periods wait for the disk.
+    /// Starts to write a file. `image` is the memory of software that already runs. With `waits`, the caller waits
+    /// for the disk.
     ///
     /// # Errors
+    ///
     /// The file cannot be written.
     pub fn start(path: PathBuf, image: Option<Vec<u8>>, waits: bool) -> Result<Self, Unwritable> {
         let file = created(&path)?;
@@ -86,7 +88,7 @@ impl Recorder {
         &self.path
     }
 
-    /// Hands a period over; nothing, if the recording has ended.
+    /// Records a period; does nothing if the recording has ended.
     pub fn take(&mut self, done: &Period) {
         let time = done.moment.time;
         let shown = is_shown(done).then(|| done.moment.clone());
@@ -113,7 +115,7 @@ impl Recorder {
         Recording { running, periods: self.periods, error, ready: false }
     }
 
-    /// Ends it: the file is whole, or the state says why not.
+    /// Finishes the file. The returned state has the error, if any.
     pub fn finish(mut self) -> Recording {
         self.end();
         self.state()
@@ -143,10 +145,11 @@ impl Drop for Recorder {
     }
 }
 
-/// Checks that a recording can be written to a file, whose contents stay.
+/// Checks that a recording can be written to a file, without changing its contents.
 ///
 /// # Errors
-/// It cannot.
+///
+/// It cannot be written.
 pub fn check(path: &Path) -> Result<(), Unwritable> {
     let opened = File::options().write(true).create(true).truncate(false).open(path);
     opened.map(drop).map_err(|source| Unwritable { path: path.to_owned(), source })
@@ -170,7 +173,7 @@ fn whole(error: &dyn std::error::Error) -> String {
     }
 }
 
-/// Writes what comes until nothing comes any more.
+/// Writes items from the queue until it is closed.
 fn write(
     file: File,
     image: Option<&[u8]>,
@@ -197,7 +200,7 @@ fn write(
     Ok(())
 }
 
-/// A step of the software as it was recorded; none, if the bytes are none.
+/// Parses a recorded step of the software; `None` if the bytes are not one.
 pub fn step(bytes: &[u8]) -> Option<Worked> {
     let all: Vec<u64> = bytes
         .chunks_exact(8)

@@ -1,11 +1,12 @@
-//! The onboard software on a board at the other end of a serial line, as a computer with sockets: datagrams become frames,
-//! and frames datagrams.
+//! The onboard software on a board at the other end of a serial line, presented as a computer with sockets.
 //!
-//! As the program on this machine does, it takes in what has come from the ground when a datagram of the bus comes, and hands on
-//! what goes down before the answer, so that a flight in virtual time is the same. It ends with the line, or when the
-//! [`Relay`] is dropped. `ground/onboard/zynq/main.c` is the other end.
+//! Datagrams are converted to frames and back.
 //!
-//! What it must not know: what datagrams say.
+//! Like the program on this machine, it processes packets from the ground when a datagram of the bus arrives, and
+//! sends packets to the ground before its answer, so that a flight in virtual time is the same. It ends with the
+//! line, or when the [`Relay`] is dropped. `ground/onboard/zynq/main.c` is the other end.
+//!
+//! What it must not know: the contents of datagrams.
 
 use crate::bench::station;
 use crate::key::Key;
@@ -23,7 +24,7 @@ const LOOK: Duration = Duration::from_millis(500);
 /// The longest datagram: the software's memory.
 const MOST: usize = 1 << 16;
 
-/// Kinds of frames: their first word.
+/// The kinds of frames, given by their first word.
 mod kind {
     pub const READY: u64 = 1;
     pub const BEGIN: u64 = 2;
@@ -31,16 +32,16 @@ mod kind {
     pub const GROUND: u64 = 4;
 }
 
-/// Why the board is of no use any more.
+/// Reason why the board no longer works.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The line failed.
     #[error("the board's line: {0}")]
     Line(#[from] serial::Error),
-    /// The board says so.
+    /// The board reported an error.
     #[error("the board says: {0}")]
     Board(String),
-    /// An answer to something else.
+    /// The board sent an answer that does not fit the request.
     #[error("the board answers something else than it was asked")]
     Other,
     /// A socket failed.
@@ -48,14 +49,15 @@ pub enum Error {
     Socket(#[from] io::Error),
 }
 
-/// A relay at work, on a thread of its own.
+/// A relay that runs on its own thread.
 #[derive(Debug)]
 pub struct Relay(Arc<OnceLock<Error>>);
 
 impl Relay {
-    /// Begins to relay between a line and the bus at a port; says "ready" there once the board does.
+    /// Starts to relay between a line and the bus at a port; announces the board there as soon as it is ready.
     ///
     /// # Errors
+    ///
     /// There are no ports.
     pub fn start<L: Read + Write + Send + 'static>(
         line: L,
@@ -96,7 +98,7 @@ struct Ends<L> {
 }
 
 impl<L: Read + Write> Ends<L> {
-    /// Relays as long as anybody is `there`.
+    /// Relays until the other end of `there` is dropped.
     fn relay(&mut self, begin: &[u64], there: &Weak<OnceLock<Error>>) -> Result<(), Error> {
         if self.receive()? != [kind::READY] {
             return Err(Error::Other);
@@ -130,7 +132,7 @@ impl<L: Read + Write> Ends<L> {
         Ok(())
     }
 
-    /// Hands on what comes until the answer to a datagram of the bus, that included.
+    /// Passes frames on, up to and including the answer to a datagram of the bus.
     fn answer(&mut self) -> Result<(), Error> {
         loop {
             match &self.receive()?[..] {
@@ -159,7 +161,7 @@ impl<L: Read + Write> Ends<L> {
     }
 }
 
-/// Bytes of a datagram from the ground that the board is reported: one more than a packet has.
+/// Number of bytes of a datagram from the ground that are passed to the board: one more than a packet has.
 const LONGEST_HEARD: usize = models::packet::MAX_BYTES + 1;
 
 /// The address that a number represents.

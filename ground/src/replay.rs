@@ -1,6 +1,6 @@
-//! The onboard software run again from a recording, and held against what it said then, bit by bit.
+//! Runs the onboard software again from a recording, and compares its outputs with the recorded ones, bit by bit.
 //!
-//! Needs no aircraft and no key: what was heard from the ground is in the recording behind the gate.
+//! Needs no aircraft and no key: the recording has the packets that the gate accepted.
 
 use crate::bench::{Answer, Worked, bytes};
 use crate::program::{self, Program, Running};
@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 /// Timeout of an answer.
 const ANSWER_TIMEOUT: Duration = Duration::from_secs(30);
 
-/// Why a recording cannot be run again.
+/// Reason why a recording cannot be replayed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// It cannot be read.
@@ -28,7 +28,7 @@ pub enum Error {
         /// An error of the system.
         source: io::Error,
     },
-    /// It is no MCAP file, or a broken one.
+    /// The file is not an MCAP file, or it is damaged.
     #[error("`{path}` is no sound MCAP file: {source}")]
     Mcap {
         /// The file.
@@ -36,7 +36,7 @@ pub enum Error {
         /// Error of the file.
         source: mcap::McapError,
     },
-    /// It holds no steps of the software.
+    /// The recording has no steps of the software.
     #[error(
         "`{path}` holds nothing to run again; `cargo xtask fly --record FILE` records what can be"
     )]
@@ -44,7 +44,7 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
-    /// It was cut off too early.
+    /// The recording was cut off too early.
     #[error(
         "`{path}` was cut off before its first chunk was whole: there is nothing in it to run again"
     )]
@@ -52,7 +52,7 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
-    /// It begins in the middle.
+    /// The recording does not start at the software's beginning, and has no memory image.
     #[error(
         "`{path}` begins after the software did, and without its memory: record from the beginning"
     )]
@@ -60,10 +60,10 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
-    /// The software does not run.
+    /// The software could not be started.
     #[error(transparent)]
     Program(#[from] program::Error),
-    /// It does not answer.
+    /// The software does not answer.
     #[error("the onboard software does not answer: {0}")]
     Silent(io::Error),
 }
@@ -75,7 +75,7 @@ pub struct Difference {
     pub count: u64,
     /// Time since the testbed began, s.
     pub time: f64,
-    /// The signal.
+    /// Name of the signal.
     pub signal: String,
     /// Recorded and replayed value, as words.
     pub words: (u64, u64),
@@ -84,7 +84,7 @@ pub struct Difference {
 /// Result of a replay.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
-    /// Steps that were run again.
+    /// Number of steps that were replayed.
     pub steps: u64,
     /// Time of the last step, s.
     pub until: f64,
@@ -184,7 +184,7 @@ impl Runner {
     }
 }
 
-/// The first word that differs; any NaN is any NaN.
+/// The first word that differs; all NaN are equal.
 fn difference(recorded: &Worked, now: &Outputs, time: f64) -> Option<Difference> {
     let (then, now) = (bessemer_legs::words(&recorded.outputs), bessemer_legs::words(now));
     let plain = |word: u64| if f64::from_bits(word).is_nan() { u64::MAX } else { word };

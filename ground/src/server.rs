@@ -1,13 +1,13 @@
-//! The server of the page: static files, and a WebSocket that carries everything else.
+//! The server of the page: static files, and a WebSocket for everything else.
 //!
-//! * Nothing is commanded by a GET. A page may command that shows the token, and of those one at a time; the
-//!   others watch. To stop, the token is enough.
-//! * A WebSocket is opened only for pages of this server: `Origin` and `Host` must be ours.
-//! * So many connections and pages at most: who comes later is turned away.
-//! * Whoever reads slowly misses frames; nobody waits for it. Orders that come faster than the testbed takes them
-//!   are refused.
+//! * A GET never commands anything. A page with the token may request the right to command, which one client has at a
+//!   time; the others only watch. Stopping the motors needs only the token.
+//! * A WebSocket is opened only for pages of this server: `Origin` and `Host` are checked.
+//! * The numbers of connections and pages are limited; further ones are rejected.
+//! * A client that reads slowly misses frames; nothing waits for it. Commands that arrive faster than the testbed
+//!   takes them are rejected.
 //!
-//! Knows messages, not what is done about them.
+//! Knows messages, but not their effects.
 
 use crate::command::{Command, Seat};
 use crate::limited::Limited;
@@ -59,9 +59,10 @@ pub struct Hub {
 }
 
 impl Hub {
-    /// A hub whose pages send what they ask to `asked`. Random bytes make the token.
+    /// Creates a hub whose pages send their requests to `asked`. Its token consists of random bytes.
     ///
     /// # Errors
+    ///
     /// The system has no random bytes.
     pub fn new(asked: SyncSender<Ask>, hello: &Tell) -> Result<Arc<Self>, getrandom::Error> {
         let mut bytes = [0; 16];
@@ -79,12 +80,12 @@ impl Hub {
         }))
     }
 
-    /// The secret of those who may command.
+    /// Returns the token that permits commands.
     pub fn token(&self) -> &str {
         &self.token
     }
 
-    /// Tells every page.
+    /// Sends a message to every page.
     pub fn tell(&self, what: &Tell) {
         if self.told.receiver_count() > 0 {
             // None listens any more: nobody is reported.
@@ -92,12 +93,12 @@ impl Hub {
         }
     }
 
-    /// Pages that look on.
+    /// Returns the number of connected pages.
     pub fn pages(&self) -> usize {
         self.pages.load(Ordering::Relaxed)
     }
 
-    /// Messages that slow pages missed.
+    /// Returns the number of messages dropped for slow pages.
     pub fn skipped(&self) -> u64 {
         self.skipped.load(Ordering::Relaxed)
     }
@@ -107,7 +108,7 @@ impl Hub {
         self.command.is_held()
     }
 
-    /// A place among those who may command.
+    /// Creates a seat for a client that may request the right to command.
     pub fn seat(&self) -> Seat {
         self.command.seat()
     }
@@ -117,7 +118,7 @@ impl Hub {
         self.stop.swap(false, Ordering::Relaxed)
     }
 
-    /// Says which file can be downloaded.
+    /// Sets the file that can be downloaded.
     pub fn keep(&self, recording: PathBuf) {
         if let Ok(mut place) = self.recording.lock() {
             *place = Some(recording);
@@ -133,10 +134,11 @@ pub async fn serve(listener: TcpListener, hub: Arc<Hub>) -> std::io::Result<()> 
     axum::serve(Limited::new(listener, MOST_CONNECTIONS), router(hub)).await
 }
 
-/// Binds, and serves from a thread of its own: the address.
+/// Binds to an address and serves from a thread; returns the actual address.
 ///
 /// # Errors
-/// The address is taken, or there is no thread.
+///
+/// The address is in use, or there is no thread.
 pub fn start(address: SocketAddr, hub: Arc<Hub>) -> std::io::Result<SocketAddr> {
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
     let listener = runtime.block_on(TcpListener::bind(address))?;
@@ -158,7 +160,7 @@ fn router(hub: Arc<Hub>) -> Router {
         .with_state(hub)
 }
 
-/// One of the page's files.
+/// Serves a file of the page.
 async fn file(Path(name): Path<String>) -> Response {
     let Some((kind, content)) = page::file(&name) else {
         return (StatusCode::NOT_FOUND, "there is no such file").into_response();
@@ -175,7 +177,7 @@ async fn file(Path(name): Path<String>) -> Response {
     (headers, content).into_response()
 }
 
-/// The last recording.
+/// Serves the last recording.
 async fn flight(State(hub): State<Arc<Hub>>) -> Response {
     let found = hub.recording.lock().ok().and_then(|place| place.clone());
     let read = match found {
@@ -233,7 +235,7 @@ fn is_local_name(host: &str) -> bool {
     plain == "localhost" || plain.parse::<std::net::IpAddr>().is_ok()
 }
 
-/// One page, until it leaves.
+/// Serves one page until it disconnects.
 async fn attend(mut socket: WebSocket, hub: &Hub) {
     let seat = hub.seat();
     let mut news = hub.told.subscribe();
@@ -313,7 +315,7 @@ fn is_same(one: &str, other: &str) -> bool {
     one.len() == other.len() && differing == 0
 }
 
-/// A message as JSON. What is not a number is null.
+/// Converts a message to JSON. Numbers that are not finite become null.
 fn text(tell: &Tell) -> String {
     serde_json::to_string(tell).unwrap_or_default()
 }

@@ -1,8 +1,10 @@
-//! The ground's end of the link: orders up, news down.
+//! The ground's end of the link: it sends commands and receives telemetry.
 //!
-//! A link loses things, so an order is repeated until what comes down shows that it was carried out, or, if it
-//! changes the flight, until that has taken too long. Beats go up ten times a second, so that the aircraft knows that somebody is there.
-//! Knows time only as it is reported, and no socket.
+//! A link loses packets, so a command is repeated until the telemetry shows that it was executed, or, if it changes
+//! the flight, until a timeout. Heartbeats are sent ten times a second, so that the aircraft knows that the ground
+//! station is there.
+//!
+//! The station knows the time only from its callers.
 
 use crate::catalogue::PAGE_SIGNALS;
 use crate::key::Key;
@@ -32,15 +34,15 @@ const SIGNAL_DECIMATION: u8 = 4;
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
-    /// It was carried out.
+    /// The command was executed.
     Done,
-    /// Nothing shows that it was.
+    /// The command was not confirmed in time.
     GivenUp,
-    /// The aircraft refused it.
+    /// The aircraft rejected the command.
     Refused,
 }
 
-/// An order on its way.
+/// A command that is not confirmed yet.
 #[derive(Clone, Debug)]
 struct Pending {
     order: Order,
@@ -48,14 +50,14 @@ struct Pending {
     until: f64,
 }
 
-/// Statistics of the downlink.
+/// Counters of the downlink's packets.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Down {
-    /// Packets that came.
+    /// Number of received packets.
     pub heard: u64,
-    /// Datagrams that were none.
+    /// Number of datagrams that were not packets.
     pub broken: u64,
-    /// Packets that did not come, by their numbers.
+    /// Number of missing packets, derived from the packets' numbers.
     pub missing: u64,
 }
 
@@ -77,7 +79,7 @@ pub struct Station {
     record: Option<Record>,
     /// State of the uplink as the aircraft reports it.
     pub status: Option<Status>,
-    /// The parameters, as far as they are known.
+    /// Values of the parameters; `None` for those not received yet.
     pub parameters: [Option<f64>; PARAMETER_COUNT],
     /// Statistics of the downlink.
     pub down: Down,
@@ -86,7 +88,7 @@ pub struct Station {
 }
 
 impl Station {
-    /// A ground station that begins at a time, s.
+    /// Creates a ground station at a time, s.
     pub fn new(key: Option<Key>, now: f64) -> Self {
         let mut station = Self {
             key,
@@ -112,7 +114,7 @@ impl Station {
         station
     }
 
-    /// Opens the link to an aircraft that may know nothing of us: at the beginning, and when it was silent.
+    /// Opens the link to an aircraft that may not know this station: at the start, and after silence.
     fn meet(&mut self, now: f64) {
         self.order(now, Order::Hello);
         self.choose(now, SIGNAL_DECIMATION, PAGE_SIGNALS);
@@ -146,17 +148,17 @@ impl Station {
         self.layout(tag).unwrap_or(&PAGE_SIGNALS)
     }
 
-    /// The last record.
+    /// Returns the last record.
     pub fn record(&self) -> Option<&Record> {
         self.record.as_ref()
     }
 
-    /// The part of the flight, as far as that is known.
+    /// Returns the phase of the flight, as far as it is known.
     pub fn phase(&self) -> u8 {
         self.signal(16) as u8
     }
 
-    /// Chooses what comes down.
+    /// Selects the signals of the downlink and their period.
     pub fn choose(&mut self, now: f64, every: u8, signals: [u8; 36]) {
         self.tag = self.tag.wrapping_add(1).max(1);
         self.signals.push((self.tag, signals));
@@ -166,7 +168,8 @@ impl Station {
         self.order(now, Order::Choose(self.tag, every, signals));
     }
 
-    /// Hands in a trajectory. Its name is none that is flown: a station that was started anew would take that for its own.
+    /// Sends a trajectory. Its number differs from all in use, since a restarted station must not take another's for
+    /// its own.
     pub fn fly(&mut self, now: f64, points: Vec<models::trajectory::SetPoint>) {
         let flown = self.status.as_ref().map(|status| status.tag);
         while {
@@ -176,7 +179,7 @@ impl Station {
         self.order(now, Order::FlyAs(self.tag, points));
     }
 
-    /// Sends an order, and goes on sending it until it is carried out.
+    /// Sends a command and repeats it until it is confirmed.
     pub fn order(&mut self, now: f64, order: Order) {
         match order {
             // Nobody repeats where a stick was.
@@ -195,7 +198,7 @@ impl Station {
         self.pending.push(Pending { order, again: now + RETRY_PERIOD, until });
     }
 
-    /// The datagrams that go up now; `clock`: milliseconds since 1970.
+    /// Returns the datagram to be sent now, if any; `clock` is the time in milliseconds since 1970.
     pub fn tick(&mut self, now: f64, clock: u64) -> Option<Vec<u8>> {
         if now >= self.next_beat {
             self.next_beat = now + HEARTBEAT_PERIOD;
@@ -219,7 +222,7 @@ impl Station {
         self.sealed(&packet, clock)
     }
 
-    /// Takes in a datagram.
+    /// Processes a received datagram.
     pub fn receive(&mut self, now: f64, datagram: &[u8]) -> Option<News> {
         let mut packet = Packet { length: datagram.len(), bytes: [0; 64] };
         let sound = datagram.len() <= 64 && {
@@ -248,7 +251,7 @@ impl Station {
         Some(news)
     }
 
-    /// Forgets the numbers of what came down: another software begins anew.
+    /// Forgets the packets' numbers, since a restarted software begins anew.
     pub fn anew(&mut self) {
         self.sequence = None;
         self.record = None;
@@ -358,7 +361,7 @@ fn replaces(new: &Order, old: &Order) -> bool {
     }
 }
 
-/// An order as people call it.
+/// Returns the name of a command for people.
 fn name(order: &Order) -> String {
     match order {
         Order::Hello => "open the link".into(),

@@ -1,8 +1,8 @@
 //! The testbed: bench, link and ground station together, one control period at a time.
 //!
-//! In virtual time, and from one seed, two runs are the same to the bit, sockets or not: what goes up is in the
-//! computer's socket before the sensors' datagram is. Knows no browser and no file: whoever drives it gets what
-//! each period came to.
+//! In virtual time, two runs with one seed have the same bits, although they use sockets: an uplink packet is in the
+//! computer's socket before the sensors' datagram. Knows no browser and no file: the caller gets the results of each
+//! period.
 
 use crate::bench::{self, Bench, Injection, Period};
 use crate::key::Key;
@@ -26,22 +26,22 @@ const DELIVERY_TIMEOUT: Duration = Duration::from_secs(10);
 /// Timeout of the software's memory image in real time; otherwise that of a datagram.
 const IMAGE: Duration = Duration::from_secs(2);
 
-/// So many periods behind, real time begins anew instead of catching up.
+/// Number of periods of delay after which real time restarts instead of catching up.
 const STALLED: u32 = 10;
 
-/// Why the testbed does not run.
+/// Reason why the testbed does not run.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The onboard software does not.
+    /// The onboard software does not run.
     #[error(transparent)]
     Program(#[from] program::Error),
-    /// A socket does not.
+    /// A socket failed.
     #[error("a socket of the testbed: {0}")]
     Socket(#[from] io::Error),
     /// The onboard software ended before it said anything.
     #[error("the onboard software ended at its start: {0}")]
     Ended(String),
-    /// The onboard software said nothing.
+    /// The onboard software did not answer.
     #[error("the onboard software does not answer: it was started, and sent nothing for {} s", START_TIMEOUT.as_secs())]
     Silent,
 }
@@ -49,10 +49,10 @@ pub enum Error {
 /// Time base of the testbed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pace {
-    /// As on the wall.
+    /// Real time.
     #[default]
     Real,
-    /// As on the wall while the software keeps up, and slower where it does not: nothing is missed on a busy machine.
+    /// Real time if the software keeps up, otherwise slower, so that no period is missed on a busy machine.
     Patient,
     /// As fast as the software answers.
     Virtual,
@@ -63,11 +63,11 @@ pub enum Pace {
 pub struct Wanted {
     /// Time base.
     pub pace: Pace,
-    /// The link.
+    /// Quality of the link.
     pub quality: Quality,
     /// Key of those who may command.
     pub key: Option<Key>,
-    /// The key of the software, if it is to differ: to see what happens.
+    /// A different key for the software, for tests of the gate.
     pub other_key: Option<Key>,
     /// Seed of all randomness.
     pub seed: u64,
@@ -77,11 +77,11 @@ pub struct Wanted {
 pub struct Testbed {
     /// The aircraft.
     pub bench: Bench,
-    /// The ground's end of the link.
+    /// The ground station.
     pub station: Station,
-    /// The way up.
+    /// The uplink.
     pub up: Way,
-    /// The way down.
+    /// The downlink.
     pub down: Way,
     program: Program,
     running: Running,
@@ -94,14 +94,15 @@ pub struct Testbed {
     periods: u32,
     /// Number of restarts of the software.
     pub restarts: u64,
-    /// Why that was so the last time.
+    /// Reason of the last restart.
     pub ended: Option<String>,
 }
 
 impl Testbed {
-    /// Starts the software and waits until it is there.
+    /// Starts the software and waits until it answers.
     ///
     /// # Errors
+    ///
     /// It does not start, or there are no ports.
     pub fn start(program: &Program, wanted: &Wanted) -> Result<Self, Error> {
         let mut bench = Bench::new(wanted.seed)?;
@@ -133,12 +134,12 @@ impl Testbed {
         })
     }
 
-    /// Time since the testbed began, by its periods, s.
+    /// Returns the time since the testbed began, from the number of its periods, s.
     pub fn now(&self) -> f64 {
         self.bench.timing.periods as f64 * period()
     }
 
-    /// Returns the fate of the datagrams of uplink and downlink.
+    /// Returns the counters of the datagrams of uplink and downlink.
     pub fn counts(&self) -> (Counts, Counts) {
         (self.up.counts, self.down.counts)
     }
@@ -148,12 +149,12 @@ impl Testbed {
         self.bench.link()
     }
 
-    /// The number of the software's process.
+    /// Returns the process number of the software.
     pub fn process(&self) -> u32 {
         self.running.id()
     }
 
-    /// Kills the software; it is started anew in the next period.
+    /// Kills the software; it is restarted in the next period.
     pub fn kill(&mut self) {
         self.running.kill();
     }
@@ -171,15 +172,16 @@ impl Testbed {
         self.pace != Pace::Real
     }
 
-    /// Does something to the aircraft.
+    /// Injects a fault into the aircraft.
     pub fn inject(&mut self, what: Injection) {
         self.bench.inject(what);
     }
 
-    /// One period, with the news that came down in it. In real time it begins when it is time.
+    /// Runs one period and returns it with the received telemetry. In real time it starts when it is due.
     ///
     /// # Errors
-    /// A socket failed, or the software cannot be started anew.
+    ///
+    /// A socket failed, or the software cannot be restarted.
     pub fn step(&mut self) -> Result<(Period, Vec<News>), Error> {
         let deadline = self.pause();
         if let Some(why) = self.running.ended() {
@@ -207,9 +209,10 @@ impl Testbed {
         Ok((done, news))
     }
 
-    /// Periods until a time since the beginning, s; `seen` sees each.
+    /// Runs periods until a time since the beginning, s; calls `seen` with each.
     ///
     /// # Errors
+    ///
     /// As for [`step`](Testbed::step).
     pub fn run_until(
         &mut self,
@@ -231,7 +234,7 @@ impl Testbed {
         self.socket.set_nonblocking(true)
     }
 
-    /// Takes everything from the socket into the way down.
+    /// Moves all datagrams from the socket to the simulated downlink.
     fn listen(&mut self, now: f64) {
         let mut buffer = [0; 2048];
         while let Ok((length, from)) = self.socket.recv_from(&mut buffer) {
@@ -241,7 +244,7 @@ impl Testbed {
         }
     }
 
-    /// Waits for the beginning of the period; its end, where the software has to keep it.
+    /// Waits for the beginning of the period; returns its end, if the software has a deadline.
     fn pause(&mut self) -> Option<Instant> {
         if self.pace == Pace::Virtual {
             return None;
@@ -273,7 +276,7 @@ impl Testbed {
     }
 }
 
-/// Waits until the software is there, as long as it runs.
+/// Waits until the software answers, while it runs.
 fn meet(bench: &mut Bench, running: &mut Running) -> Result<(), Error> {
     for _ in 0..START_TIMEOUT.as_secs() {
         if bench.wait(Duration::from_secs(1))? {
@@ -291,7 +294,7 @@ pub fn period() -> f64 {
     Settings::mambo().parameters.period
 }
 
-/// Milliseconds since 1970.
+/// The time in milliseconds since 1970.
 fn milliseconds() -> u64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
     u64::try_from(since.as_millis()).unwrap_or(u64::MAX)

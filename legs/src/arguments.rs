@@ -7,29 +7,29 @@ use bessemer_ir::{ExprKind, Float, Form, FunctionId, Int, Module, Scalar, StmtKi
 use crate::random::Random;
 use crate::reached::reached;
 
-/// The size of the words.
+/// Kind of the argument words.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Size<'n> {
-    /// The limits of the types, odd floats, and any bits.
+    /// Limits of the types, special floats, and random bits.
     Edges,
-    /// Small numbers.
+    /// Small numbers, like sensor values and setpoints.
     Tame,
-    /// The program's own numbers, those beside them and between them, and small ones.
+    /// The constants of the program, their neighbours, numbers between them, and small numbers.
     Near(&'n Numbers),
 }
 
-/// The numbers in a program, each once.
+/// The constants of a program, each once.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Numbers {
     integers: Vec<i128>,
     floats: Vec<f64>,
 }
 
-/// So many words of a constant are looked at.
+/// Number of words of a constant that are used.
 const LOOKED_AT: usize = 64;
 
 impl Numbers {
-    /// The numbers in a function and in all that it calls.
+    /// Collects the numbers in a function and its callees.
     pub fn of(module: &Module, function: FunctionId) -> Numbers {
         let mut numbers = Numbers::default();
         for id in reached(module, function) {
@@ -71,7 +71,7 @@ impl Numbers {
     }
 }
 
-/// The words of a value: lengths for which there is room, nothing where nothing is.
+/// Returns the words of a value. Lengths do not exceed capacities, and absent content is zero.
 pub fn words(random: &mut Random, module: &Module, ty: &Type, size: Size<'_>) -> Vec<u64> {
     let leaves = module.leaves(ty);
     let mut words: Vec<u64> = leaves.iter().map(|ty| word(random, module, ty, size)).collect();
@@ -148,7 +148,7 @@ fn tame(random: &mut Random) -> f64 {
     (random.below(4001) as f64 - 2000.0) / 512.0
 }
 
-/// A number of a list, one beside it, or one between two of them.
+/// Returns a number of a list, a neighbour of one, or a number between two.
 fn near(random: &mut Random, int: Int, numbers: &[i128]) -> u64 {
     let (min, max) = (Int::min(int), Int::max(int));
     let fitting: Vec<i128> =

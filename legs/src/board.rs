@@ -1,11 +1,12 @@
-//! Emitted C on a board, called over a serial line. This module has the sources beside the board's own startup and
+//! Emitted C on a board, called over a serial line. This module has the sources to add to the board's own startup and
 //! port, and the host's end of the line.
 //!
-//! A frame asks: the place of an entry point, the words of the component and of the arguments. Its answer is marked as one; then comes the
-//! status, and if that is no fault the words of the result, of the component, and of each argument that the call may change. A place that is
-//! none asks who is there.
+//! A request is a frame: the index of an entry point, and the words of the component and of the arguments. The answer
+//! has a mark and the status; unless that is a fault, it also has the words of the result, of the component, and of
+//! each argument that the call may change. A special index requests the board's identity.
 //!
-//! Invariant: what is answered comes from this very C, or it is an error. What it must not know: what the words mean.
+//! Invariant: an answer comes from exactly this C, or it is an error. What it must not know: the meaning of the
+//! words.
 
 use std::collections::BTreeSet;
 use std::io::{Read, Write};
@@ -18,7 +19,7 @@ use crate::lockstep::complaint;
 use crate::serial::{self, Serial};
 use crate::{digest, harness};
 
-/// The C of the line, whatever the board.
+/// Sources of the serial protocol in C, for every board.
 const LINK: [(&str, &str); 5] = [
     ("link.c", include_str!("../c/link/link.c")),
     ("link.h", include_str!("../c/link/link.h")),
@@ -30,22 +31,22 @@ const LINK: [(&str, &str); 5] = [
 /// File name of the program.
 const PROGRAM: &str = "verify_main.c";
 
-/// No entry's index: a request for the identity.
+/// Index that requests the board's identity instead of a call.
 const WHO: u64 = u64::MAX;
 
-/// Number of times that a board is queried for its identity: it may be starting.
+/// Number of times that a board is asked for its identity, since it may be starting.
 const ASKED: usize = 3;
 
-/// Why a board cannot be asked.
+/// Reason why a board cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The line failed.
     #[error("{0}")]
     Line(#[from] serial::Error),
-    /// The board says so.
+    /// The board reported an error.
     #[error("the board says: {0}")]
     Said(String),
-    /// It has other C.
+    /// The board has other C.
     #[error("the board's firmware is of other C")]
     Other,
     /// Two files would have the same name.
@@ -55,9 +56,10 @@ pub enum Error {
     Twice(String),
 }
 
-/// The sources of a firmware that answers, by their names: the program, the line, and the emitted C.
+/// Returns the sources of the firmware by their names: the program, the serial protocol, and the emitted C.
 ///
 /// # Errors
+///
 /// [`Error::Twice`].
 pub fn sources(
     compiled: &Compiled,
@@ -82,15 +84,16 @@ pub fn identity(compiled: &Compiled) -> u64 {
     digest(&texts.map(u64::from).collect::<Vec<_>>())
 }
 
-/// A board that answers.
+/// A board that has answered.
 #[derive(Debug)]
 pub struct Board<L>(Serial<L>);
 
 impl<L: Read + Write> Board<L> {
-    /// Asks the board at the other end of the line who it is.
+    /// Requests the board's identity and checks it.
     ///
     /// # Errors
-    /// It does not answer, or has other C.
+    ///
+    /// The board does not answer, or has other C.
     pub fn open(line: L, identity: u64) -> Result<Self, Error> {
         let mut board = Self(Serial::new(line));
         let mut last = None;
@@ -108,10 +111,11 @@ impl<L: Read + Write> Board<L> {
         Err(last.unwrap_or(Error::Other))
     }
 
-    /// One call: the place of the entry point, the words that go in; those that come out.
+    /// Calls an entry point by its index with input words; returns the output words.
     ///
     /// # Errors
-    /// What is wrong with line or board.
+    ///
+    /// The error of the line or the board.
     pub fn call(
         &mut self,
         place: usize,
@@ -140,7 +144,7 @@ mod tests {
     use std::net::Shutdown;
     use std::os::unix::net::UnixStream;
 
-    /// Returns the error for a board that answers the identity query and one call thus.
+    /// Returns the error for a board with these answers to the identity query and one call.
     fn said(answers: &[&[u64]]) -> String {
         let (here, there) = UnixStream::pair().expect("a line");
         let mut board = Serial::new(there);

@@ -1,7 +1,7 @@
-//! Emitted C as the firmware of a board, built around the board's own program. An emulator of the machine runs it, and
-//! its serial line is a socket of this process.
+//! Emitted C as the firmware of a board, with the board's own startup code. An emulator runs it, and its serial line
+//! is a socket of this process.
 //!
-//! What it must not know: any model, any board; a board is folders with C, a start and a linker script.
+//! What it must not know: any model, any board; a board is folders with C, startup code and a linker script.
 
 use std::collections::BTreeSet;
 use std::os::fd::OwnedFd;
@@ -16,7 +16,7 @@ use tempfile::TempDir;
 use crate::process::{Error, lay_out_needed};
 use crate::toolchain::{Sizes, Toolchain};
 
-/// Firmware, built.
+/// Firmware that was built.
 #[derive(Debug)]
 pub struct Firmware {
     program: PathBuf,
@@ -26,11 +26,12 @@ pub struct Firmware {
 }
 
 impl Firmware {
-    /// Compiles the sources of a board's folders, generated sources, and the emitted files that these include; links
+    /// Compiles the sources of a board's folders, generated sources, and the emitted files that these include. Links
     /// them by the folders' linker script.
     ///
     /// # Errors
-    /// What the compiler or the system said.
+    ///
+    /// The message of the compiler or the system.
     pub fn build(
         board: &[PathBuf],
         made: &[(&str, String)],
@@ -77,23 +78,26 @@ impl Firmware {
         Ok(Self { program, toolchain: toolchain.clone(), _folder: folder })
     }
 
-    /// The program, for whoever loads it onto a board.
+    /// Returns the program file, for loading it onto a board.
     pub fn program(&self) -> &Path {
         &self.program
     }
 
-    /// Returns its sizes.
+    /// Returns the sizes of the program.
     ///
     /// # Errors
-    /// What the system said, or that the program which tells it said nothing.
+    ///
+    /// An error of the system, or no output of the program that reports them.
     pub fn sizes(&self) -> Result<Sizes, Error> {
         self.toolchain.sizes(std::slice::from_ref(&self.program)).map_err(Error::Compile)
     }
 
-    /// Starts it in the emulator: the machine, and its serial line, on which reads wait for so long at most.
+    /// Starts the firmware in the emulator. Returns the machine, and its serial line with `patience` as the timeout
+    /// of reads.
     ///
     /// # Errors
-    /// What the system said.
+    ///
+    /// An error of the system.
     pub fn start(&self, patience: Duration) -> Result<(Machine, UnixStream), Error> {
         let (here, there) = UnixStream::pair()?;
         here.set_read_timeout(Some(patience))?;
@@ -105,7 +109,7 @@ impl Firmware {
     }
 }
 
-/// A machine that runs, or any other program: it ends when this is dropped.
+/// A running emulator or other program; dropping it ends the program.
 #[derive(Debug)]
 pub struct Machine(Child);
 
@@ -116,12 +120,12 @@ impl From<Child> for Machine {
 }
 
 impl Machine {
-    /// The number of its process.
+    /// Returns the number of the process.
     pub fn id(&self) -> u32 {
         self.0.id()
     }
 
-    /// Returns the exit status; none while it runs.
+    /// Returns the exit status; `None` while it runs.
     pub fn ended(&mut self) -> Option<String> {
         match self.0.try_wait() {
             Ok(None) => None,
@@ -130,7 +134,7 @@ impl Machine {
         }
     }
 
-    /// Turns it off.
+    /// Ends the program.
     pub fn kill(&mut self) {
         let _ = self.0.kill();
         let _ = self.0.wait();

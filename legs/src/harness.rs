@@ -1,8 +1,8 @@
-//! A C program around entry points and functions: words in, words out.
+//! Generates a C program that calls entry points and functions with words from its input.
 //!
 //! For each step of an entry point it reads the words of the arguments and writes the status (0 for an infallible
-//! entry), the words of the result, and the words of the component's state. It ends with its input.
-//! Words are 64 bits, least significant byte first, in the order of `Module::leaves`.
+//! entry), the words of the result, and the words of the component's state. It ends with its input. Words have 64
+//! bits, least significant byte first, in the order of `Module::leaves`.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -11,8 +11,8 @@ use bessemer_backend::c::Options;
 use bessemer_backend::c::names::{Names, Passing, Returned};
 use bessemer_ir::{Float, FunctionId, Module, Owner, Scalar, StructId, Type};
 
-/// The text of the program for `entry`, a method of a component; `params`: how many parameters the
-/// author gave it. What the compiler added, a work struct, is no argument.
+/// Returns the text of the program for `entry`, a method of a component with `params` parameters of its author. A
+/// work struct, which the compiler added, is not among them.
 pub fn program(module: &Module, entry: FunctionId, params: u32) -> String {
     around(module, entry, params, "", "", "")
 }
@@ -23,7 +23,8 @@ pub fn marked(module: &Module, entry: FunctionId, params: u32) -> String {
     around(module, entry, params, MARKS, "        bench_begin();\n", "        bench_end();\n")
 }
 
-/// A counter looks for these, of external linkage and never inlined, so that they have addresses; and the stack, painted.
+/// Functions that mark the calls for a counter. They have external linkage and are never inlined, so that they have
+/// addresses. Also the stack, filled with a pattern.
 const MARKS: &str = include_str!("../c/watch.c");
 
 fn around(
@@ -68,7 +69,7 @@ pub fn answers(
     several(module, entries, options, &Carrier::Line { identity }, alone)
 }
 
-/// A call of its own: the state comes with the arguments.
+/// Returns the C of a call that is independent of others: its state is read with the arguments.
 fn alone(call: Call, index: usize) -> (String, String) {
     let Call { own, declarations, init, sets, reads, call, writes, state, changed, .. } = call;
     let text = format!(
@@ -78,16 +79,16 @@ fn alone(call: Call, index: usize) -> (String, String) {
     (String::new(), text)
 }
 
-/// The first word of what a board answers to a call: what went wrong on it begins otherwise (`c/link/wrong.h`).
+/// First word of a board's answer to a call. An error report begins with another word (`c/link/wrong.h`).
 pub const ANSWER: u64 = 1;
 
 /// Transport of words to and from a program.
 enum Carrier {
-    /// By standard input and output, until the input ends.
+    /// Standard input and output, until the input ends.
     Streams,
-    /// By files of the machine's emulator.
+    /// Files of the machine that runs the emulator.
     Files,
-    /// By frames on a serial line; a request for no entry is answered by the identity.
+    /// Frames on a serial line; a request for the identity is answered with this number.
     Line { identity: u64 },
 }
 
@@ -157,7 +158,7 @@ pub fn lives(module: &Module, entries: &[(FunctionId, u32)]) -> String {
     })
 }
 
-/// A program around a function for each entry, written by `text`: what stands once before all of them, and itself.
+/// Returns a program with a function for each entry, written by `text`, and a common beginning.
 fn several(
     module: &Module,
     entries: &[(FunctionId, u32)],
@@ -188,28 +189,28 @@ fn several(
 #[derive(Default)]
 struct Call {
     header: String,
-    /// Declares the state.
+    /// Declaration of the state.
     own: String,
-    /// Declares what is passed and returned.
+    /// Declarations of arguments and result.
     declarations: String,
-    /// Initialises the state.
+    /// Initialisation of the state.
     init: String,
-    /// Reads the state.
+    /// Statements that read the state.
     sets: String,
-    /// Reads the arguments.
+    /// Statements that read the arguments.
     reads: String,
-    /// Calls, and sets `status`.
+    /// The call, which sets `status`.
     call: String,
-    /// Writes the result.
+    /// Statements that write the result.
     writes: String,
-    /// Writes the state.
+    /// Statements that write the state.
     state: String,
-    /// Writes the arguments that the call may change.
+    /// Statements that write the arguments that the call may change.
     changed: String,
 }
 
 impl Call {
-    /// `this`: what the state is called.
+    /// Builds the pieces; `this` is the name of the state.
     fn of(
         module: &Module,
         names: &Names,
@@ -290,14 +291,14 @@ impl Call {
     }
 }
 
-/// The C that every such program begins with: how words come in and go out.
+/// The C at the beginning of every such program: functions that read and write words.
 pub const SUPPORT: &str = concat!(include_str!("../c/stdio.c"), include_str!("../c/numbers.c"));
 
 /// A function of C that moves a value of a struct's type word by word, by functions `get` and `put`.
 pub struct Mover {
     /// Name of the parameter.
     pub name: &'static str,
-    /// The struct, as its author called it.
+    /// Name of the struct in Rust.
     pub ty: &'static str,
     /// Direction of the parameter.
     pub way: Way,
@@ -306,13 +307,14 @@ pub struct Mover {
 /// Direction in which words move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// `get` gives them.
+    /// Words are read by `get`.
     In,
-    /// `put` takes them.
+    /// Words are written by `put`.
     Out,
 }
 
-/// The text of a C file with such functions; `head` declares them, `get` and `put`. None, if the models lack a struct.
+/// Returns the text of a C file with such functions; `head` declares them, `get` and `put`. `None` if the models lack
+/// a struct.
 pub fn movers(module: &Module, head: &str, movers: &[Mover]) -> Option<String> {
     let names = Names::new(module, &Options::default());
     let walk = Walk { module, names: &names };
@@ -330,7 +332,7 @@ pub fn movers(module: &Module, head: &str, movers: &[Mover]) -> Option<String> {
     Some(text)
 }
 
-/// Returns the identity of these structs' layout; none if the models lack one. None, if the models lack one.
+/// Returns the identity of these structs' layout; `None` if the models lack one.
 pub fn identity<'t>(module: &Module, types: impl Iterator<Item = &'t str>) -> Option<u64> {
     let mut letters = Vec::new();
     for ty in types {
@@ -351,7 +353,7 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    /// C that reads a value of type `ty` into the C place `place`, word by word.
+    /// Appends C that reads a value of type `ty` into the C expression `place`, word by word.
     fn reads(&self, ty: &Type, place: &str, text: &mut String) {
         self.words(ty, place, text, "get();", &|ty, place, count, text| match self.numbers(ty) {
             Some(numbers) => get_numbered(self.names.word(ty), &numbers, place, text),
@@ -359,7 +361,7 @@ impl Walk<'_> {
         });
     }
 
-    /// C that writes it.
+    /// Appends C that writes a value, word by word.
     fn writes(&self, ty: &Type, place: &str, text: &mut String) {
         self.words(ty, place, text, "put(0);", &|ty, place, count, text| match self.numbers(ty) {
             Some(numbers) => put_numbered(&numbers, place, text),
@@ -367,7 +369,7 @@ impl Walk<'_> {
         });
     }
 
-    /// The numbers of an enum's variants, where they are not their indices.
+    /// Returns the numbers of an enum's variants, if they differ from the indices.
     fn numbers(&self, ty: &Type) -> Option<Vec<i32>> {
         let Type::Enum(id) = ty else { return None };
         let item = &self.module.enums[id.index()];
@@ -429,7 +431,7 @@ impl Walk<'_> {
     }
 }
 
-/// The size of a number; none of what is not read and written as its bytes.
+/// Returns the size of a number; `None` for types that are not transferred as bytes.
 fn bytes(ty: &Type) -> Option<u32> {
     match ty {
         Type::Scalar(Scalar::Float(Float::F64)) => Some(8),
@@ -439,7 +441,8 @@ fn bytes(ty: &Type) -> Option<u32> {
     }
 }
 
-/// As calls and not written out: thousands of these are in a program, and compilers, above all with sanitizers, take long over each.
+/// Appends a call that reads words. Calls keep the program small: it has thousands of these, and compilers, above all
+/// with sanitizers, would take long.
 fn get(names: &Names, ty: &Type, place: &str, count: u32, text: &mut String) {
     let name = names.word(ty);
     let _ = match (bytes(ty), ty) {
@@ -449,7 +452,7 @@ fn get(names: &Names, ty: &Type, place: &str, count: u32, text: &mut String) {
     };
 }
 
-/// The number of the variant whose index is read; of what is no index, one that no variant has.
+/// Appends C that reads a variant's index and sets its number; an invalid index sets a number of no variant.
 fn get_numbered(name: String, numbers: &[i32], place: &str, text: &mut String) {
     let none = (0..=i32::MAX).find(|number| !numbers.contains(number)).unwrap_or_default();
     let (count, list) = (numbers.len(), list(numbers));
@@ -460,7 +463,7 @@ fn get_numbered(name: String, numbers: &[i32], place: &str, text: &mut String) {
     );
 }
 
-/// The index of the variant that has the number.
+/// Appends C that writes the index of the variant with a number.
 fn put_numbered(numbers: &[i32], place: &str, text: &mut String) {
     let (count, list) = (numbers.len(), list(numbers));
     let _ = writeln!(

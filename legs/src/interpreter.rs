@@ -1,9 +1,9 @@
-//! The IR's interpreter as a leg: a component's state, and calls of one entry point.
+//! The IR's interpreter as a leg: it has a component's state, and calls one entry point.
 
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::{FunctionId, Module, Owner};
 
-/// A component whose entry point the interpreter runs.
+/// A component whose entry point runs in the interpreter.
 pub struct Interpreted<'m> {
     interpreter: Interpreter<'m>,
     entry: FunctionId,
@@ -11,7 +11,7 @@ pub struct Interpreted<'m> {
 }
 
 impl<'m> Interpreted<'m> {
-    /// The component that `entry` belongs to, in its initial state.
+    /// Creates the component of `entry` in its initial state.
     pub fn new(module: &'m Module, entry: FunctionId) -> Interpreted<'m> {
         let state = match module.functions[entry.index()].owner {
             Some(Owner::Struct(id)) => module.structs[id.index()].initial.clone(),
@@ -21,9 +21,10 @@ impl<'m> Interpreted<'m> {
         Interpreted { interpreter, entry, state: state.unwrap_or_default() }
     }
 
-    /// One call; gives the words of the result, then those of the state.
+    /// Calls the entry point; returns the words of the result and of the state.
     ///
     /// # Errors
+    ///
     /// The fault.
     pub fn step(&mut self, arguments: &[Vec<u64>]) -> Result<Vec<u64>, Stop> {
         let mut all = vec![self.state.clone()];

@@ -1,4 +1,4 @@
-//! Kernels by themselves: their C as a program, fed with numbers.
+//! Kernels alone: their C as a program that gets its numbers from this process.
 
 use std::fmt::Write as _;
 
@@ -10,16 +10,17 @@ use bessemer_ir::{Float, Kernel, KernelRoutine, Mode, Module, Type};
 use crate::process::Process;
 use crate::toolchain::Toolchain;
 
-/// Some kernels as a program.
+/// Some kernels as a running program.
 pub struct Program {
     kernels: Vec<Kernel>,
     process: Process,
 }
 
 impl Program {
-    /// Starts the C of these kernels as the toolchain makes it.
+    /// Compiles the C of these kernels with a toolchain and starts it.
     ///
     /// # Panics
+    ///
     /// If it does not compile.
     pub fn start(kernels: &[Kernel], tuning: Tuning, toolchain: &Toolchain) -> Program {
         let files = files(kernels, &Options { kernels: tuning, ..Options::default() });
@@ -28,9 +29,10 @@ impl Program {
         Program { kernels: kernels.to_vec(), process }
     }
 
-    /// The words of a call of one of them: its result's, then those of the arguments that it changes, `count` in all.
+    /// Calls a kernel; returns the words of its result and of the arguments that it changes, `count` in all.
     ///
     /// # Panics
+    ///
     /// If the program ends, or the kernel is not in it.
     pub fn call(&mut self, kernel: &Kernel, arguments: &[&[f64]], count: usize) -> Vec<u64> {
         let at = self.kernels.iter().position(|it| it == kernel).expect("it is in the program");
@@ -41,9 +43,10 @@ impl Program {
         self.process.receive(count).expect("it lives")
     }
 
-    /// The arguments that a solve or an inverse changes, as it leaves them: `count` numbers in all.
+    /// Calls a solve or an inverse; returns the arguments that it changes, `count` numbers in all.
     ///
     /// # Panics
+    ///
     /// If it finds the matrix singular.
     pub fn solve(&mut self, kernel: &Kernel, arguments: &[&[f64]], count: usize) -> Vec<f64> {
         let found = self.call(kernel, arguments, 1 + count);
@@ -60,7 +63,7 @@ pub fn files(kernels: &[Kernel], options: &Options) -> Vec<CFile> {
     c::emit(&passes::lend(module, &options.kernels, flat), options)
 }
 
-/// Words in and out, in loops: the matrices are large.
+/// C functions that read and write arrays of words.
 const WORDS: &str = "
 #include <stdio.h>
 #include <stdlib.h>
@@ -81,7 +84,7 @@ static inline void put(uint64_t word)
 }
 ";
 
-/// The functions that read and write numbers of a type.
+/// Returns the C functions that read and write numbers of a type.
 fn numbers(element: Float) -> String {
     let (real, suffix) = real(element);
     let (word, read) = match element {
@@ -110,7 +113,7 @@ static inline void put_{suffix}(const {real} *numbers, uint32_t count)
     )
 }
 
-/// A type in C, and what names of functions end in that take it.
+/// Returns the type in C, and the suffix of function names for it.
 fn real(element: Float) -> (&'static str, &'static str) {
     match element {
         Float::F64 => ("double", "f64"),
@@ -118,7 +121,7 @@ fn real(element: Float) -> (&'static str, &'static str) {
     }
 }
 
-/// The program around the kernels: it reads which one, and the words of what goes into it.
+/// Returns the main function: it reads the index of a kernel and the words of its arguments.
 fn main(kernels: &[Kernel], tuning: &Tuning) -> String {
     let (mut functions, mut cases) = (String::new(), String::new());
     for (at, kernel) in kernels.iter().enumerate() {
@@ -138,7 +141,7 @@ fn main(kernels: &[Kernel], tuning: &Tuning) -> String {
     )
 }
 
-/// The body of a call: reads, calls, writes.
+/// Returns the body of a call: reads the arguments, calls, writes the results.
 fn call(kernel: &Kernel, tuning: &Tuning) -> String {
     let name = kernel.name();
     let (real, suffix) = real(kernel.element);
@@ -171,16 +174,17 @@ fn call(kernel: &Kernel, tuning: &Tuning) -> String {
     }
 }
 
-/// A kernel of these dimensions.
+/// Builds a kernel of these dimensions.
 ///
 /// # Panics
-/// If the routine has another number of them.
+///
+/// If the routine has another number of dimensions.
 pub fn kernel(routine: KernelRoutine, element: Float, dims: &[usize]) -> Kernel {
     let dims: Vec<u32> = dims.iter().map(|dim| *dim as u32).collect();
     Kernel::new(routine, element, &dims).expect("as many as it has")
 }
 
-/// The word of a number, rounded to the type.
+/// Converts a number to a word, rounded to the type.
 pub fn word(number: f64, element: Float) -> u64 {
     match element {
         Float::F64 => number.to_bits(),
@@ -188,7 +192,7 @@ pub fn word(number: f64, element: Float) -> u64 {
     }
 }
 
-/// The number of a word of the type.
+/// Converts a word of the type to a number.
 pub fn number(word: u64, element: Float) -> f64 {
     match element {
         Float::F64 => f64::from_bits(word),

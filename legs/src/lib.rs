@@ -1,8 +1,8 @@
-//! Legs that execute a model beside rustc. They are the interpreter of its IR, and its C by each compiler on the host
+//! Legs that execute a model besides rustc. They are the interpreter of its IR, and its C by each compiler on the host
 //! and on the emulated Cortex-A9.
 //!
-//! Invariants: words go in and come out (64 bits each, in the order of `Plain`), so that nothing here
-//! knows what a model means; C runs as a process of its own, so nothing needs `unsafe`.
+//! Invariants: inputs and outputs are words (64 bits each, in the order of `Plain`), so that nothing here knows the
+//! meaning of a model; C runs in a separate process, so nothing needs `unsafe`.
 //!
 //! What it must not know: any model, any test.
 
@@ -31,7 +31,7 @@ pub use bessemer_words::{digest, value, words};
 
 use std::path::PathBuf;
 
-/// The root of the workspace.
+/// Returns the root of the workspace.
 pub fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
 }
@@ -43,15 +43,16 @@ use bessemer_frontend::diagnostic;
 use bessemer_frontend::source::Sources;
 use bessemer_ir::{FunctionId, Role};
 
-/// Returns true if this build panics on overflow, as the C faults; a wrapping build is another program.
+/// Returns true if this build panics on overflow, where the C faults. A build that wraps would not be comparable.
 pub fn overflow_is_checked() -> bool {
     let largest = std::hint::black_box(u8::MAX);
     panics::caught(|| largest + std::hint::black_box(1)).is_err()
 }
 
-/// A package of this workspace, compiled.
+/// Compiles a package of this workspace.
 ///
 /// # Panics
+///
 /// If it does not compile: no test can run then.
 pub fn compiled(package: &str) -> Compiled {
     compiled_with(package, &compile::Options::default())
@@ -79,12 +80,12 @@ pub fn compiled_with(package: &str, options: &compile::Options) -> Compiled {
     compiled
 }
 
-/// Returns the names and texts of the files, on which a check of the C depends.
+/// Returns the names and texts of the files, for the key of a stored check.
 pub fn texts(files: &[CFile]) -> Vec<(&str, &str)> {
     files.iter().map(|file| (file.name.as_str(), file.text.as_str())).collect()
 }
 
-/// The entry point `owner::name` of a module.
+/// Returns the entry point `owner::name` of a module.
 pub fn entry(compiled: &Compiled, owner: &str, name: &str) -> Option<FunctionId> {
     let module = &compiled.module;
     let index = module.functions.iter().position(|function| {

@@ -1,13 +1,14 @@
-//! Software on a board, in lockstep with whoever feeds it over a serial line: each period is requested, and answered.
+//! Software on a board in lockstep with this process over a serial line: each period is requested and answered.
 //!
-//! Invariant: an answer belongs to what was asked, or it is an error; after an error nothing goes on.
-//! What it must not know: what the words of a period mean. `examples/zynq/main.c` is the other end.
+//! Invariant: an answer belongs to its request, or it is an error; after an error nothing continues.
+//!
+//! What it must not know: the meaning of a period's words. The other end is `examples/zynq/main.c`.
 
 use std::io::{Read, Write};
 
 use crate::serial::{self, Serial};
 
-/// Kinds of frames: their first word.
+/// The kinds of frames, given by their first word.
 mod kind {
     pub const READY: u64 = 1;
     pub const BEGIN: u64 = 2;
@@ -27,7 +28,7 @@ pub fn complaint(words: &[u64]) -> Option<String> {
     }
 }
 
-/// Why the lockstep is broken.
+/// Reason why the lockstep ended.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The line failed.
@@ -38,15 +39,15 @@ pub enum Error {
         /// Error of the line.
         source: serial::Error,
     },
-    /// The board says so.
+    /// The board reported an error.
     #[error("in period {periods} the board says: {said}")]
     Board {
         /// Number of successful periods.
         periods: u64,
-        /// Its words.
+        /// Message of the board.
         said: String,
     },
-    /// An answer to something else.
+    /// The answer does not fit the request.
     #[error("in period {periods} the board answers something else than it was asked")]
     Other {
         /// Number of successful periods.
@@ -60,15 +61,15 @@ pub enum Error {
 /// Use of the stack, bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stack {
-    /// By calls of the entry point, its callees with it.
+    /// Stack used by calls of the entry point, including its callees, bytes.
     pub step: u64,
-    /// By the whole program.
+    /// Stack used by the whole program, bytes.
     pub all: u64,
     /// Size of the stack.
     pub size: u64,
 }
 
-/// A board.
+/// A board in lockstep.
 #[derive(Debug)]
 pub struct Lockstep<L> {
     serial: Serial<L>,
@@ -76,10 +77,11 @@ pub struct Lockstep<L> {
 }
 
 impl<L: Read + Write> Lockstep<L> {
-    /// Waits until the board at the other end of the line is there, with software of this identity.
+    /// Waits until the board at the other end of the line answers, and checks the identity of its software.
     ///
     /// # Errors
-    /// It is not, or has other software.
+    ///
+    /// It does not answer, or has other software.
     pub fn open(line: L, identity: u64) -> Result<Self, Error> {
         let mut board = Self { serial: Serial::new(line), periods: 0 };
         match board.receive()?[..] {
@@ -89,32 +91,35 @@ impl<L: Read + Write> Lockstep<L> {
         }
     }
 
-    /// The line.
+    /// Returns the line.
     pub fn line(&mut self) -> &mut L {
         self.serial.line()
     }
 
-    /// Puts the software into its initial state.
+    /// Resets the software to its initial state.
     ///
     /// # Errors
-    /// What is wrong with line or board.
+    ///
+    /// The error of the line or the board.
     pub fn begin(&mut self) -> Result<(), Error> {
         self.periods = 0;
         self.ask(&[kind::BEGIN]).map(drop)
     }
 
-    /// Hands settings over.
+    /// Sends settings.
     ///
     /// # Errors
-    /// What is wrong with line or board.
+    ///
+    /// The error of the line or the board.
     pub fn set(&mut self, settings: impl Iterator<Item = u64>) -> Result<(), Error> {
         self.ask(&std::iter::once(kind::SETTINGS).chain(settings).collect::<Vec<_>>()).map(drop)
     }
 
-    /// One period: the words of what goes in, for those of what comes out.
+    /// Runs one period: sends the input words, and returns the output words.
     ///
     /// # Errors
-    /// What is wrong with line or board.
+    ///
+    /// The error of the line or the board.
     pub fn step(&mut self, inputs: impl Iterator<Item = u64>) -> Result<Vec<u64>, Error> {
         let words: Vec<u64> = [kind::STEP, self.periods].into_iter().chain(inputs).collect();
         let mut outputs = self.ask(&words)?;
@@ -128,7 +133,8 @@ impl<L: Read + Write> Lockstep<L> {
     /// Returns the use of the stack so far.
     ///
     /// # Errors
-    /// What is wrong with line or board.
+    ///
+    /// The error of the line or the board.
     pub fn stack(&mut self) -> Result<Stack, Error> {
         match self.ask(&[kind::REPORT])?[..] {
             [step, all, size] => Ok(Stack { step, all, size }),
@@ -136,7 +142,7 @@ impl<L: Read + Write> Lockstep<L> {
         }
     }
 
-    /// Sends a frame; what its answer holds behind the kind, which is the same.
+    /// Sends a frame; returns the words of its answer after the kind, which must be equal.
     fn ask(&mut self, words: &[u64]) -> Result<Vec<u64>, Error> {
         let periods = self.periods;
         self.serial.send(words).map_err(|source| Error::Line { periods, source })?;
@@ -163,7 +169,7 @@ mod tests {
     use std::net::Shutdown;
     use std::os::unix::net::UnixStream;
 
-    /// Returns the error for a board that answers thus.
+    /// Returns the error for a board with these answers.
     fn said(answers: &[&[u64]]) -> String {
         let (here, there) = UnixStream::pair().expect("a line");
         let mut board = Serial::new(there);

@@ -1,12 +1,12 @@
-//! Objects by what they are made of, so that no C is compiled twice in the same way.
+//! Stores objects by their inputs, so that no C is compiled twice in the same way.
 //!
-//! An object's key is all that decides it: the compiler's own words about itself, the flags, the text of the source,
-//! and the texts of the files of its folder that it includes, and that these include. Kernels, helpers and the files
-//! of unchanged programs then come from the run before, and from the test beside.
+//! The key of an object consists of everything on which it depends: the compiler's version, the flags, the text of
+//! the source, and the texts of the included files of its folder. So kernels, helpers and the files of unchanged
+//! programs come from an earlier run or another test.
 //!
-//! Invariant: an object is stored only if its compiler had nothing to say.
+//! Invariant: an object is stored only if its compiler gave no warnings.
 //!
-//! What it must not know: what the C is for.
+//! What it must not know: the purpose of the C.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Debug;
@@ -31,7 +31,7 @@ fn content(
     Some((store::version(compiler)?, compiler.to_owned(), flags.to_vec(), texts(source)?))
 }
 
-/// The name and the text of the source and of each file that it includes from its folder.
+/// Returns the name and the text of the source and of each file that it includes from its folder.
 fn texts(source: &Path) -> Option<BTreeMap<String, String>> {
     let folder = source.parent()?;
     let mut texts = BTreeMap::new();

@@ -1,11 +1,11 @@
-//! The outcome of a call on a leg, and whether two legs agree.
+//! The outcome of a call on a leg, and the comparison of outcomes.
 
 use bessemer_ir::{Fault, Float, Module, Type};
 
-/// The words that come out, or the fault.
+/// The output words, or the fault.
 pub type Outcome = Result<Vec<u64>, Fault>;
 
-/// The fault that a panic of rustc's, core's or nalgebra's represents.
+/// Converts the message of a panic of rustc, core or nalgebra to a fault.
 pub fn fault(text: &str) -> Fault {
     match text {
         _ if text.contains("divide by zero") => Fault::DivisionByZero,
@@ -25,7 +25,7 @@ pub fn fault(text: &str) -> Fault {
     }
 }
 
-/// The words of values of these types with zeros where nothing is: what means nothing may hold anything.
+/// Returns the words with zeros for content that is absent, since the legs may have any words there.
 pub fn meant(module: &Module, types: &[Type], outcome: &Outcome) -> Outcome {
     outcome.clone().map(|mut words| {
         types.iter().fold(words.as_mut_slice(), |rest, ty| module.canonical(ty, rest));
@@ -38,8 +38,8 @@ pub fn same(one: &Outcome, other: &Outcome, leaves: &[Type]) -> bool {
     parted(one, other, leaves).is_empty()
 }
 
-/// The places of the words in which two outcomes differ; any NaN is any other. Where one is a fault that the other is not,
-/// all words do. `leaves` are the types of the words.
+/// Returns the indices of the words in which two outcomes differ; all NaN are equal. If one is a fault and the other
+/// is not, all words differ. `leaves` are the types of the words.
 pub fn parted(one: &Outcome, other: &Outcome, leaves: &[Type]) -> Vec<usize> {
     let (one, other) = match (one, other) {
         (Ok(one), Ok(other)) if one.len() == other.len() => (one, other),

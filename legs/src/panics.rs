@@ -1,8 +1,8 @@
-//! A panic of a model is a fault that is looked for: it is caught, and is nobody's news.
+//! Catches panics of a model, which are expected faults, without printing them.
 //!
-//! Invariant: only the thread that looks for a panic is silent; what fails in another one beside it is reported as ever.
+//! Invariant: only the thread that expects a panic is silent; panics of other threads are printed as usual.
 //!
-//! What it must not know: what the messages mean.
+//! What it must not know: the meaning of the messages.
 
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};

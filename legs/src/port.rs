@@ -1,6 +1,6 @@
-//! A serial port of this machine as a line: bytes as they are, at a speed, and no read waits for ever.
+//! A serial port of this machine as a line: raw bytes at a given speed, with a timeout for reads.
 //!
-//! What it must not know: what goes over it.
+//! What it must not know: the protocol.
 
 use std::fs::File;
 use std::io::{self, Read, Write};
@@ -18,10 +18,11 @@ const PATIENCE: Timespec = Timespec { tv_sec: 5, tv_nsec: 0 };
 pub struct Port(File);
 
 impl Port {
-    /// Opens it at so many bits a second.
+    /// Opens a port at `baud` bits a second.
     ///
     /// # Errors
-    /// There is none at this place, it is somebody else's, or it has no such speed.
+    ///
+    /// There is no such port, it is in use or not permitted, or it does not support the speed.
     pub fn open(path: &Path, baud: u32) -> io::Result<Self> {
         let flags = OFlags::RDWR | OFlags::NOCTTY | OFlags::CLOEXEC;
         let port = rustix::fs::open(path, flags, Mode::empty())?;

@@ -1,4 +1,4 @@
-//! Emitted C as a process: built in a folder of its own, stepped through pipes.
+//! Emitted C as a process: compiled in a temporary folder, and called through pipes.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufReader, BufWriter, Read, Write};
@@ -14,10 +14,10 @@ use crate::harness;
 use crate::toolchain::Toolchain;
 use crate::units;
 
-/// Why a leg could not run.
+/// Reason why a leg could not run.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The compiler refused.
+    /// The compiler reported errors.
     #[error("{0}")]
     Compile(String),
     /// The process or its files failed.
@@ -64,16 +64,17 @@ fn lay_out_files<'f>(files: impl IntoIterator<Item = &'f CFile>) -> Result<Folde
     Ok(Folder { folder, sources })
 }
 
-/// Writes only the C that a program needs: writing hundreds of files takes longer than compiling.
+/// Writes only the C that a program needs, since writing hundreds of files takes longer than compiling.
 ///
 /// # Errors
+///
 /// An error of the file system.
 pub fn lay_out_needed(files: &[CFile], main: &str) -> Result<Folder, Error> {
     let needed = needed(files, main);
     lay_out_files(files.iter().filter(|file| stem(file).is_some_and(|it| needed.contains(it))))
 }
 
-/// The name without extension of a file of C.
+/// Returns the name of a C file without its extension.
 fn stem(file: &CFile) -> Option<&str> {
     match file.name.rsplit_once('.') {
         Some((stem, "c" | "h")) => Some(last(stem)),
@@ -82,17 +83,17 @@ fn stem(file: &CFile) -> Option<&str> {
 }
 
 impl Folder {
-    /// The folder.
+    /// Returns the path of the folder.
     pub fn path(&self) -> &Path {
         self.folder.path()
     }
 
-    /// The C sources in it.
+    /// Returns the C sources in the folder.
     pub fn sources(&self) -> &[PathBuf] {
         &self.sources
     }
 
-    /// The folder itself, for whoever goes on with it.
+    /// Returns the folder itself, to keep it.
     pub fn into_folder(self) -> TempDir {
         self.folder
     }
@@ -178,14 +179,15 @@ impl Process {
         Ok(Process { child, input, output, results: 0, said, folder })
     }
 
-    /// The compiler's warnings, where flags kept them from being errors.
+    /// Returns the compiler's warnings, if flags kept them from being errors.
     pub fn said(&self) -> &str {
         &self.said
     }
 
-    /// Starts the program anew: the component is in its initial state again.
+    /// Restarts the program, with the component in its initial state.
     ///
     /// # Errors
+    ///
     /// An error of the system.
     pub fn restart(&mut self, toolchain: &Toolchain) -> Result<(), Error> {
         self.child.kill()?;
@@ -195,19 +197,21 @@ impl Process {
         Ok(())
     }
 
-    /// One call: the arguments' words in; status, result and state out.
+    /// Calls the entry point with the arguments' words; returns status, result and state.
     ///
     /// # Errors
+    ///
     /// The process died.
     pub fn step(&mut self, arguments: &[u64]) -> Result<Vec<u64>, Error> {
         self.send(arguments)?;
         self.receive(self.results)
     }
 
-    /// Hands over calls of one entry of [`harness::programs`](crate::harness::programs), by its place; what each of
-    /// them gives is received in turn. No more than [`at_once`]: whoever writes may wait for whoever reads.
+    /// Sends calls of one entry of [`harness::programs`](crate::harness::programs), by its index; the results are
+    /// received in order. There may be at most [`at_once`] calls, or both processes could wait for each other.
     ///
     /// # Errors
+    ///
     /// The process died.
     pub fn ask(&mut self, place: usize, calls: &[impl AsRef<[Vec<u64>]>]) -> Result<(), Error> {
         for call in calls {
@@ -248,7 +252,7 @@ impl Process {
     }
 }
 
-/// The names without extension of what a program includes, of what that includes, and so on.
+/// Returns the names, without extension, of the files that a program includes, directly or indirectly.
 fn needed<'f>(files: &'f [CFile], main: &str) -> BTreeSet<&'f str> {
     let mut texts: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for file in files {
@@ -271,18 +275,19 @@ fn needed<'f>(files: &'f [CFile], main: &str) -> BTreeSet<&'f str> {
     needed
 }
 
-/// A file's name without the folder of headers that it may be in.
+/// Returns a file's name without the folder of headers.
 fn last(path: &str) -> &str {
     path.rsplit('/').next().unwrap_or(path)
 }
 
-/// No entry's place: the program hands over what it wrote.
+/// Index that makes the program flush its output instead of a call.
 pub const HAND_OVER: u64 = u64::MAX;
 
-/// Words that a pipe takes before anybody reads: 32 KiB of Linux's 64.
+/// Number of words that a pipe can hold before it is read: 32 KiB of Linux's 64.
 const HELD: usize = 4096;
 
-/// Returns the number of calls that may be in flight, with at most so many words each way.
+/// Returns the number of calls that can be sent before results are read, with at most `words` words in each
+/// direction.
 pub fn at_once(words: usize) -> usize {
     (HELD / words.max(1)).max(1)
 }

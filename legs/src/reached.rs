@@ -1,11 +1,11 @@
-//! The functions of authors that a call can reach: those of the DSL's own library are none of them.
+//! The functions of authors that a call can reach, without those of the DSL's own library.
 
 use std::collections::BTreeSet;
 
 use bessemer_ir::visit::Walk as _;
 use bessemer_ir::{ExprKind, FunctionId, Module};
 
-/// A function, and what it calls, as far as authors wrote it.
+/// Returns a function and its callees, as far as authors wrote them.
 pub fn reached(module: &Module, from: FunctionId) -> BTreeSet<FunctionId> {
     let own =
         |id: FunctionId| module.functions[id.index()].module.split("::").next() != Some("bessemer");

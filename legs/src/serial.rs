@@ -1,28 +1,29 @@
-//! Frames of words over a serial line: what comes is whole, or it is said what is wrong with it.
+//! Frames of words over a serial line; an incomplete or damaged frame is an error.
 //!
-//! A word goes as the number of its bytes that count and these, least significant first. A frame is words and a CRC-32
-//! of their bytes, stuffed (COBS) so that no zero is in it, and ended by one. `c/link/link.c` is the other end.
+//! A word is sent as the number of its significant bytes and these bytes, least significant first. A frame is words
+//! and a CRC-32 of their bytes, encoded without zeros (COBS) and terminated by a zero. `c/link/link.c` is the other
+//! end.
 //!
-//! Invariant: it never waits for longer than the line does. What it must not know: what the words mean.
+//! Invariant: it never waits for longer than the line's timeout. What it must not know: the meaning of the words.
 
 use std::io::{self, Read, Write};
 
-/// Bytes of a frame at most: room for what no board sends.
+/// Largest number of bytes of a frame, more than any board sends.
 const MOST: usize = 1 << 16;
 
-/// Why no frame came, or went.
+/// Reason why a frame could not be sent or received.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The other end is gone.
+    /// The other end closed the line.
     #[error("the line is closed: the other end is gone")]
     Closed,
-    /// It says nothing.
+    /// The other end does not answer.
     #[error("nothing comes over the line: the other end does not run, or at another speed")]
     Silent,
-    /// The received bytes are no frame.
+    /// The received bytes are not a valid frame.
     #[error("what came over the line is garbled: {0}")]
     Garbled(&'static str),
-    /// The system's word.
+    /// The error of the system.
     #[error("the line: {0}")]
     System(io::Error),
 }
@@ -38,13 +39,13 @@ impl From<io::Error> for Error {
     }
 }
 
-/// Bytes as words of a frame: how many, and eight in a word, least significant first.
+/// Packs bytes into words of a frame: their number, and then eight bytes in a word, least significant first.
 pub fn packed(bytes: &[u8]) -> impl Iterator<Item = u64> {
     let word = |some: &[u8]| some.iter().rev().fold(0, |word, byte| word << 8 | u64::from(*byte));
     std::iter::once(bytes.len() as u64).chain(bytes.chunks(8).map(word))
 }
 
-/// The bytes that words hold so; none, if they hold none or something beside them.
+/// Unpacks bytes from such words; `None` if the words are not in that form.
 pub fn unpacked(words: &[u64]) -> Option<Vec<u8>> {
     let (count, words) = words.split_first()?;
     let count = usize::try_from(*count).ok()?;
@@ -54,7 +55,7 @@ pub fn unpacked(words: &[u64]) -> Option<Vec<u8>> {
     whole.then_some(bytes)
 }
 
-/// A serial line, on which frames go both ways. It waits for as long as the line's own reads do.
+/// A serial line for frames in both directions. Its timeouts are those of the line's reads.
 #[derive(Debug)]
 pub struct Serial<L> {
     line: L,
@@ -62,12 +63,12 @@ pub struct Serial<L> {
 }
 
 impl<L: Read + Write> Serial<L> {
-    /// Frames on this line.
+    /// Creates a serial line for frames.
     pub fn new(line: L) -> Self {
         Self { line, buffer: Vec::new() }
     }
 
-    /// The line itself.
+    /// Returns the underlying line.
     pub fn line(&mut self) -> &mut L {
         &mut self.line
     }
@@ -75,7 +76,8 @@ impl<L: Read + Write> Serial<L> {
     /// Sends a frame.
     ///
     /// # Errors
-    /// The line took no more.
+    ///
+    /// The line did not accept it.
     pub fn send(&mut self, words: &[u64]) -> Result<(), Error> {
         self.line.write_all(&framed(words))?;
         Ok(self.line.flush()?)
@@ -84,7 +86,8 @@ impl<L: Read + Write> Serial<L> {
     /// Waits for a frame.
     ///
     /// # Errors
-    /// None came, or what came is none.
+    ///
+    /// No frame was received, or an invalid one.
     pub fn receive(&mut self) -> Result<Vec<u64>, Error> {
         loop {
             while let Some(end) = self.buffer.iter().position(|byte| *byte == 0) {
@@ -108,7 +111,7 @@ impl<L: Read + Write> Serial<L> {
     }
 }
 
-/// The bytes of a frame.
+/// Encodes words as the bytes of a frame.
 fn framed(words: &[u64]) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(2 * words.len());
     for word in words {
@@ -122,7 +125,7 @@ fn framed(words: &[u64]) -> Vec<u8> {
     stuffed
 }
 
-/// The words of a frame without the zero at its end.
+/// Decodes a frame without the zero at its end.
 fn words(frame: &[u8]) -> Result<Vec<u64>, Error> {
     let bytes = cobs::decode_vec(frame).map_err(|_| Error::Garbled("it is cut short"))?;
     let (content, sum) = bytes.split_last_chunk().ok_or(Error::Garbled("it is cut short"))?;
@@ -203,7 +206,7 @@ mod tests {
         assert_eq!(unpacked(&[u64::MAX, 1]), None);
     }
 
-    /// The end of a full block is no zero, wherever zeros stand around it.
+    /// The end of a full block adds no zero, even next to zeros.
     #[test]
     fn full_blocks_are_taken_apart() {
         for before in 25..36 {

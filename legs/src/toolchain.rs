@@ -1,7 +1,7 @@
-//! The compilers that emitted C goes through, and how a program of each is run.
+//! The compilers of emitted C, and the way to run a program of each.
 //!
-//! `BESSEMER_LEGS` says what must be there: `all` with the Cortex-A9, `host` without; unset, whatever
-//! is there is used, so that a plain `cargo test` passes with one C compiler.
+//! `BESSEMER_LEGS` selects the compilers that must exist: `all` includes the Cortex-A9, `host` does not. If it is
+//! unset, the existing ones are used, so that a plain `cargo test` passes with one C compiler.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -17,34 +17,34 @@ use bessemer_backend::c::Standard;
 pub use bessemer_backend::c::FLAGS;
 pub use bessemer_tools::Missing;
 
-/// The flags of the Cortex-A9: hard float, VFPv3; NEON would flush subnormals.
+/// Flags for the Cortex-A9: hard float and VFPv3, since NEON would flush subnormals to zero.
 pub const CORTEX_A9: &[&str] = &["-mcpu=cortex-a9", "-mfpu=vfpv3", "-mfloat-abi=hard", "-static"];
 
-/// A compiler at a level of optimisation.
+/// A compiler with a level of optimisation and a machine.
 #[derive(Clone, Debug, Hash)]
 pub struct Toolchain {
-    /// `gcc`, `clang`, `arm-linux-gnueabihf-gcc`.
+    /// Program of the compiler: `gcc`, `clang`, `arm-linux-gnueabihf-gcc`.
     pub compiler: &'static str,
-    /// `0` to `3`.
+    /// Level of optimisation, `0` to `3`.
     pub level: u32,
-    /// Flags for the machine that its programs run on.
+    /// Compiler flags that select the machine.
     pub machine: &'static [&'static str],
-    /// The emulator that runs its programs, for another machine than this.
+    /// The emulator for programs of another machine.
     pub emulator: Option<&'static [&'static str]>,
-    /// True if that machine has no operating system: see `watch`.
+    /// True if the machine has no operating system: see `watch`.
     pub bare: bool,
-    /// Further flags, such as one for an instruction that not every processor has.
+    /// Additional flags, such as one for an instruction that not every processor has.
     pub more: &'static [&'static str],
 }
 
-/// This machine, by gcc.
+/// This machine, with gcc.
 pub const GCC: Toolchain =
     Toolchain { compiler: "gcc", level: 2, machine: &[], emulator: None, bare: false, more: &[] };
 
-/// This machine, by clang.
+/// This machine, with clang.
 pub const CLANG: Toolchain = Toolchain { compiler: "clang", ..GCC };
 
-/// The target.
+/// The emulated Cortex-A9 under Linux.
 pub const ARM: Toolchain = Toolchain {
     compiler: "arm-linux-gnueabihf-gcc",
     machine: CORTEX_A9,
@@ -52,7 +52,7 @@ pub const ARM: Toolchain = Toolchain {
     ..GCC
 };
 
-/// A whole machine, emulated, with more words for the emulator.
+/// Defines an emulated machine with additional arguments for the emulator.
 macro_rules! machine {
     ($name:literal, $($more:literal),+) => {
         Some(&[
@@ -185,7 +185,7 @@ pub const S390X: Toolchain = Toolchain {
     ..GCC
 };
 
-/// A compiler at a level, as `cc` finds it: asked once, since `cc` runs a compiler to learn which one it is.
+/// Returns the compiler at a level, as found by `cc`. It is found once, since `cc` runs a compiler to identify it.
 fn tool(compiler: &'static str, level: u32) -> Option<cc::Tool> {
     type Tools = BTreeMap<(&'static str, u32), Option<cc::Tool>>;
     static TOOLS: LazyLock<Mutex<Tools>> = LazyLock::new(Mutex::default);
@@ -204,20 +204,21 @@ fn tool(compiler: &'static str, level: u32) -> Option<cc::Tool> {
 }
 
 impl Toolchain {
-    /// The compiler and, if there is one, the emulator.
+    /// Returns the names of the compiler and, if there is one, the emulator.
     pub fn programs(&self) -> Vec<&'static str> {
         std::iter::once(self.compiler).chain(self.emulator.map(|emulator| emulator[0])).collect()
     }
 
-    /// Checks that programs can be built and run with it here.
+    /// Checks that this machine can build and run programs with it.
     ///
     /// # Errors
-    /// What is missing, and what installs it.
+    ///
+    /// The missing programs, and the line that installs them.
     pub fn check(&self) -> Result<(), Missing> {
         bessemer_tools::check(&self.programs())
     }
 
-    /// Returns true if programs can be built and run with it here.
+    /// Returns true if this machine can build and run programs with it.
     pub fn is_there(&self) -> bool {
         self.check().is_ok()
     }
@@ -227,7 +228,7 @@ impl Toolchain {
         asked_for(|| self.is_there())
     }
 
-    /// Returns the toolchain with another C standard; that of 1999 is among [`FLAGS`].
+    /// Returns the toolchain with another C standard; [`FLAGS`] select C99.
     #[must_use]
     pub fn of(self, standard: Standard) -> Toolchain {
         match standard {
@@ -236,13 +237,13 @@ impl Toolchain {
         }
     }
 
-    /// As a test names it: `gcc -O2`.
+    /// Returns the name in tests: `gcc -O2`.
     pub fn name(&self) -> String {
         let more: String = self.more.iter().map(|flag| format!(" {flag}")).collect();
         format!("{} -O{}{more}", self.compiler, self.level)
     }
 
-    /// A command that compiles with the project's warnings; sources and outputs are the caller's.
+    /// Returns a command that compiles with the project's warnings; callers add sources and outputs.
     pub fn command(&self) -> Command {
         let mut command = match tool(self.compiler, self.level) {
             Some(tool) => tool.to_command(),
@@ -253,9 +254,10 @@ impl Toolchain {
         command
     }
 
-    /// Compiles and links `sources` into `program`, with more flags if there are any.
+    /// Compiles and links `sources` to `program`, with additional flags.
     ///
     /// # Errors
+    ///
     /// The compiler's message.
     pub fn link(&self, sources: &[PathBuf], program: &Path, flags: &[&str]) -> Result<(), String> {
         run(&mut self.linking(sources, program, flags))
@@ -292,10 +294,11 @@ impl Toolchain {
         Ok(said)
     }
 
-    /// Compiles `sources` and links them into firmware, which has its own start, with more flags for the linker.
+    /// Compiles `sources` and links them to firmware, which has its own startup code, with additional linker flags.
     ///
     /// # Errors
-    /// What the compiler said.
+    ///
+    /// The compiler's message.
     pub fn firmware(
         &self,
         sources: &[PathBuf],
@@ -306,10 +309,11 @@ impl Toolchain {
         run(self.linking(&objects, program, flags).arg("-nostartfiles"))
     }
 
-    /// Compiles each of the sources, on all processors; the objects in their order, and what the compiler said.
+    /// Compiles each of the sources, using all processors; returns the objects in order, and the compiler's warnings.
     ///
     /// # Errors
-    /// What the compiler said.
+    ///
+    /// The compiler's message.
     pub fn objects(
         &self,
         sources: &[PathBuf],
@@ -339,9 +343,11 @@ impl Toolchain {
         Ok((objects, all))
     }
 
-    /// Compiles a source to an object beside it, unless the same was compiled before; and what the compiler said.
+    /// Compiles a source to an object next to it, unless a stored object exists; returns also the compiler's
+    /// warnings.
     ///
     /// # Errors
+    ///
     /// The compiler's message.
     pub fn object(&self, source: &Path, flags: &[&str]) -> Result<(PathBuf, String), String> {
         let object = source.with_extension(format!("{}-{}.o", self.compiler, self.level));
@@ -364,7 +370,7 @@ impl Toolchain {
         Ok((object, said))
     }
 
-    /// A command that runs `program`.
+    /// Returns a command that runs `program`.
     pub fn runner(&self, program: &Path) -> Command {
         self.runner_with(program, &[])
     }
@@ -414,12 +420,12 @@ impl Toolchain {
     }
 }
 
-/// The flags by which a source finds what is named from this folder on.
+/// Returns the flags that make a folder a path for included files.
 fn include(folder: &Path) -> [&OsStr; 2] {
     [OsStr::new("-I"), folder.as_os_str()]
 }
 
-/// Bytes of programs.
+/// Sizes of a program, bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sizes {
     /// Size of instructions and constants.
@@ -432,10 +438,11 @@ pub struct Sizes {
 
 const HOST: &str = "x86_64-unknown-linux-gnu";
 
-/// Runs a command; what it said if it failed.
+/// Runs a command.
 ///
 /// # Errors
-/// Its output.
+///
+/// Its output, if it failed.
 pub fn run(command: &mut Command) -> Result<(), String> {
     said(command).map(drop)
 }
@@ -492,36 +499,36 @@ pub fn asked_for(is_there: impl FnOnce() -> bool) -> bool {
     }
 }
 
-/// A compiler at -O0, -O2 and -O3.
+/// Returns a toolchain at -O0, -O2 and -O3.
 fn at_levels(toolchain: Toolchain) -> impl Iterator<Item = Toolchain> {
     [0, 2, 3].into_iter().map(move |level| Toolchain { level, ..toolchain.clone() })
 }
 
-/// gcc and clang on this machine at -O0, -O2 and -O3.
+/// Returns gcc and clang on this machine at -O0, -O2 and -O3.
 pub fn host() -> Vec<Toolchain> {
     let wanted = |it: &Toolchain| legs() != Legs::Present || it.is_there();
     [GCC, CLANG].into_iter().filter(wanted).flat_map(at_levels).collect()
 }
 
-/// The Cortex-A9 under emulation, at the same levels.
+/// Returns the emulated Cortex-A9 at the same levels.
 pub fn target() -> Vec<Toolchain> {
     if ARM.is_asked_for() { at_levels(ARM).collect() } else { Vec::new() }
 }
 
-/// Other machines under emulation, one of them big-endian, optimised.
+/// Returns other emulated machines, one of them big-endian, optimised.
 pub fn others() -> Vec<Toolchain> {
     let others = [AARCH64, RISCV64, S390X].into_iter();
     others.filter(Toolchain::is_asked_for).collect()
 }
 
-/// Every toolchain of this run.
+/// Returns every toolchain of this run.
 pub fn all() -> Vec<Toolchain> {
     let mut all = host();
     all.extend(target());
     all
 }
 
-/// Flags by which compilers may fuse a multiplication with an addition, in vectors of each width that this processor has.
+/// Returns flags that permit fused multiply-adds, with vectors of each width that this processor has.
 pub fn with_fma() -> Vec<&'static [&'static str]> {
     let mut list: Vec<&'static [&'static str]> = Vec::new();
     #[cfg(target_arch = "x86_64")]
@@ -543,7 +550,7 @@ pub fn with_fma() -> Vec<&'static [&'static str]> {
     list
 }
 
-/// gcc and clang for each of these, optimised.
+/// Returns gcc and clang with each of these flags, optimised.
 pub fn fusing() -> Vec<Toolchain> {
     let optimised = host().into_iter().filter(|it| it.level == 2);
     let each =

@@ -1,12 +1,13 @@
-//! Trees by what they are made of, so that no package is built twice for its tree.
+//! Stores trees by their inputs, so that a package is not built twice for its tree.
 //!
-//! A tree's key is all that decides it: rustc's words about itself, the sources of the DSL, of the generation build and of
-//! what it says of them, the lock file, and the settings and sources of the package and of those that it rests on. A
-//! change of a pass or of the printer then needs no build of any test's models.
+//! The key of a tree consists of everything on which it depends: rustc's version, the sources of the DSL and of the
+//! generation build, the lock file, and the settings and sources of the package and its dependencies. So a change of
+//! a pass or of the printer needs no build of the tests' models.
 //!
-//! Invariant: what rustc and the builders say of the author's source is stored with it; what else went wrong is not.
+//! Invariant: messages of rustc and the builders about the author's source are stored with the tree; other errors are
+//! not stored.
 //!
-//! What it must not know: what the package is for.
+//! What it must not know: the purpose of the package.
 
 use std::collections::BTreeMap;
 use std::hash::Hash;
@@ -22,7 +23,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{root, store};
 
-/// Paths on which every tree depends beside the package's sources, from the root.
+/// Paths, relative to the root, on which every tree depends besides the package's sources.
 const EVERY: [&str; 5] = [
     "dsl",
     "codegen/src/generate",
@@ -31,16 +32,17 @@ const EVERY: [&str; 5] = [
     "codegen/frontend/src/diagnostic",
 ];
 
-/// Result of a build. It is borrowed where it is written, since a tree nests too deep to be copied on any stack.
+/// Result of a build. It is borrowed for writing, since trees are nested too deeply to be copied on a stack.
 #[derive(Serialize, Deserialize)]
 enum Outcome<P, D> {
     Built { package: P, warnings: D },
     Refused(D),
 }
 
-/// The tree of the job's package, whose sources and those that it rests on are in `folders`.
+/// Returns the tree of the job's package; `folders` contain its sources and those of its dependencies.
 ///
 /// # Errors
+///
 /// Those of [`generate::tree`].
 pub fn tree(job: &Job, folders: &[PathBuf]) -> Result<Tree, Error> {
     let stored = content(job, folders).and_then(|content| store::place("trees", &content));
@@ -66,7 +68,7 @@ pub fn tree(job: &Job, folders: &[PathBuf]) -> Result<Tree, Error> {
     made
 }
 
-/// The folders of the packages of models of this workspace: those of tests rest on one another.
+/// Returns the folders of this workspace's packages of models; those of tests depend on each other.
 pub fn folders() -> Vec<PathBuf> {
     let tests = std::fs::read_dir(root().join("tests")).into_iter().flatten().flatten();
     let tests = tests.map(|entry| entry.path()).filter(|path| path.join("Cargo.toml").exists());

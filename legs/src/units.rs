@@ -1,19 +1,19 @@
-//! Emitted C in fewer translation units: a compiler that starts for every small file spends most of its time on
-//! headers.
+//! Groups emitted C into fewer translation units, since a compiler that starts for every small file spends most of
+//! its time on headers.
 //!
-//! A unit includes several files. None of them has a name of its own that another one of the unit speaks of: each means there
-//! what it means by itself. Kernels, which have macros and attributes of their own, stay by themselves.
+//! A unit includes several files. Files are grouped only if none of them has a private name that another one uses.
+//! Kernels have macros and attributes of their own, so they are not grouped.
 //!
-//! That a file stands by itself is for a leg to show which does not use this.
+//! A leg that does not use this tests that each file compiles separately.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-/// Files in a unit at most: more save nothing, and make units that one processor waits for.
+/// Largest number of files in a unit: more save nothing, and a single processor would have to compile them all.
 const MOST: usize = 40;
 
-/// Files that are in one unit, the words in them, and the names that only one of them knows.
+/// Files of a unit, the words in them, and the names that are private to one of them.
 #[derive(Default)]
 struct Unit {
     files: Vec<PathBuf>,
@@ -21,9 +21,10 @@ struct Unit {
     own: BTreeSet<String>,
 }
 
-/// Writes units that hold these sources to the folder; what is to be compiled in place of the sources.
+/// Writes units that include these sources to the folder; returns the sources to be compiled instead.
 ///
 /// # Errors
+///
 /// An error of the file system.
 pub fn write(folder: &Path, sources: &[PathBuf]) -> std::io::Result<Vec<PathBuf>> {
     let (mut units, mut all): (Vec<Unit>, _) = (Vec::new(), Vec::new());
@@ -70,7 +71,8 @@ fn words(text: &str) -> BTreeSet<String> {
     text.split(|it| !letter(it)).filter(|word| !word.is_empty()).map(str::to_owned).collect()
 }
 
-/// The names that a file declares for itself: the last word before the parameters, the dimensions or the value.
+/// Returns the names that are private to a file: each is the last word before the parameters, the dimensions or the
+/// value.
 fn own(text: &str) -> BTreeSet<String> {
     let name = |line: &str| {
         let head = line.split(['(', '[', '=', ';']).next().unwrap_or_default();

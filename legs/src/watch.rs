@@ -1,10 +1,10 @@
-//! Programs of words on an emulated processor, watched: what they say, and how many instructions each call takes.
+//! Runs programs on an emulated processor; returns their output, and the number of instructions of each call.
 //!
-//! A plugin of QEMU's (`c/count.c`) counts between `bench_begin` and `bench_end`, functions that stay functions. The count is
+//! A plugin of QEMU (`c/count.c`) counts between `bench_begin` and `bench_end`, which are not inlined. The count is
 //! exact and the same in every run; instructions are not cycles. On a machine without an operating system the program
 //! reads and writes files by semihosting (`c/semihosting.c`).
 //!
-//! What it must not know: what the words mean.
+//! What it must not know: the meaning of the words.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -15,16 +15,16 @@ use wait_timeout::ChildExt as _;
 
 use crate::toolchain::{Toolchain, line, run};
 
-/// The plugin's source.
+/// Source of the plugin.
 const PLUGIN: &str = include_str!("../c/count.c");
 
 /// Startup of a program without an operating system.
 const SEMIHOSTING: &str = include_str!("../c/semihosting.c");
 
-/// Timeout of a program.
+/// Timeout of a program's run.
 const PATIENCE: Duration = Duration::from_secs(300);
 
-/// Output of a program.
+/// Output and counts of a program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Watched {
     /// The words that it wrote.
@@ -33,10 +33,11 @@ pub struct Watched {
     pub counts: Vec<u64>,
 }
 
-/// Compiles the plugin into a folder, unless it is there.
+/// Compiles the plugin into a folder, unless it exists.
 ///
 /// # Errors
-/// What the compiler or the system said.
+///
+/// The message of the compiler or the system.
 pub fn plugin(folder: &Path) -> Result<PathBuf, String> {
     let failed = |error: io::Error| error.to_string();
     let (source, plugin) = (folder.join("count.c"), folder.join("count.so"));
@@ -49,10 +50,11 @@ pub fn plugin(folder: &Path) -> Result<PathBuf, String> {
     Ok(plugin)
 }
 
-/// Compiles `sources` and the program `main` around them in `folder`, runs it on these bytes, and watches it.
+/// Compiles `sources` and the program `main` in `folder`, runs it on these input bytes, and counts its instructions.
 ///
 /// # Errors
-/// What the compiler, the emulator or the system said, or that the program does not end.
+///
+/// The message of the compiler, the emulator or the system, or a timeout.
 pub fn watched(
     toolchain: &Toolchain,
     folder: &Path,
@@ -97,7 +99,7 @@ pub fn watched(
     Ok(Watched { words, counts })
 }
 
-/// Waits for its end, but not for ever.
+/// Waits for the end of a command, with a timeout.
 fn ended(command: &mut Command) -> Result<(), String> {
     let mut child = command.spawn().map_err(|error| format!("{}: {error}", line(command)))?;
     match child.wait_timeout(PATIENCE) {

@@ -15,9 +15,9 @@ use bessemer::prelude::*;
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Controller {
-    /// The thesis' law, corrected.
+    /// Control law of the thesis with a correction: see [`crate::cascade`].
     pub cascade: Cascade,
-    /// The thesis' law, as printed.
+    /// Control law as printed in the thesis: see [`crate::printed`].
     pub printed: Printed,
     /// Touch-down detection during landing.
     pub touch_down: TouchDown,

@@ -14,12 +14,12 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Profile {
-    /// At once.
+    /// The gain has its final value from the start.
     #[default]
     Constant,
     /// In proportion to the time since its beginning (thesis, eq. (7.1)).
     Linear,
-    /// Slowly, then fast, then slowly (thesis, eq. (7.11)).
+    /// Growth along a sigmoid (thesis, eq. (7.11)).
     Sigmoid,
 }
 

@@ -36,8 +36,7 @@ pub const STICKS: u8 = 8;
 /// Stops the motors at once.
 #[data]
 pub const STOP: u8 = 9;
-/// Heartbeat of the ground station. After the first one, silence is a lost link. From the first one on, it is missed
-/// when it is silent.
+/// Heartbeat of the ground station. After the first one, silence counts as a lost link.
 #[data]
 pub const HEARTBEAT: u8 = 10;
 /// Prepares another flight; ignored unless the aircraft is at rest on the ground.

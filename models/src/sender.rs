@@ -96,7 +96,7 @@ pub struct Sender {
     pub busy: bool,
     /// Number of the next packet.
     pub sequence: u16,
-    /// Periods status_age the state of the link went down.
+    /// Number of periods since the state of the link was sent.
     pub status_age: u32,
 }
 

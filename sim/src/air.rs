@@ -1,7 +1,7 @@
-//! The air that the aircraft meets: a steady wind and gusts that come and go.
+//! The air around the aircraft: a steady wind and gusts.
 //!
-//! Knows forces, not who feels them. Gusts are a first-order Gauss–Markov process for each axis: normally
-//! distributed, forgotten with a time constant.
+//! Knows forces, not what they act on. Gusts are a first-order Gauss–Markov process for each axis: normally
+//! distributed, with a correlation time.
 
 use crate::noise::{Purpose, Stream};
 use nalgebra::Vector3;
@@ -17,7 +17,7 @@ pub struct Air {
     pub memory: f64,
 }
 
-/// The air in motion.
+/// The present state of the air.
 #[derive(Clone, Debug)]
 pub struct Wind {
     /// Properties of the air.
@@ -27,12 +27,12 @@ pub struct Wind {
 }
 
 impl Wind {
-    /// The air under a seed.
+    /// Creates the air with a seed.
     pub fn new(air: Air, seed: u64) -> Self {
         Self { air, gust: Vector3::zeros(), stream: Stream::new(seed, Purpose::Wind) }
     }
 
-    /// Force on the aircraft over the next period, s, in the inertial frame, N.
+    /// Returns the force on the aircraft over the next `period` seconds, in the inertial frame, N.
     pub fn blow(&mut self, period: f64) -> Vector3<f64> {
         if self.air.gusts > 0.0 {
             let kept = (-period / self.air.memory).exp();

@@ -1,6 +1,6 @@
-//! The battery of the Mambo: what the motors have drawn from it.
+//! The battery of the Mambo: it counts the charge that the motors draw.
 //!
-//! It is only counted: the flight does not feel it, and goes on when it is empty.
+//! It has no influence on the flight, which continues when the battery is empty.
 
 use crate::vehicle::Vehicle;
 use nalgebra::SVector;
@@ -31,13 +31,13 @@ pub struct Battery {
 }
 
 impl Battery {
-    /// A full one in a vehicle.
+    /// Creates a full battery for a vehicle.
     pub fn new(vehicle: &Vehicle) -> Self {
         let drags = vehicle.motors.iter().map(|motor| motor.drag_factor.abs()).collect();
         Self { drags, drawn: 0.0, current: 0.0 }
     }
 
-    /// A period, s, in which the motors turn at these speeds, rad/s.
+    /// Draws the charge of a period, s, with the motors at these speeds, rad/s.
     pub fn draw(&mut self, speeds: &SVector<f64, 8>, period: f64) {
         let turning: f64 = self.drags.iter().zip(speeds).map(|(drag, it)| drag * it.powi(3)).sum();
         self.current = (turning / EFFICIENCY + ELECTRONICS) / self.voltage();
@@ -59,7 +59,7 @@ impl Battery {
         1.0 - self.drawn / CAPACITY
     }
 
-    /// The voltage under the load, V.
+    /// Returns the voltage under load, V.
     pub fn voltage(&self) -> f64 {
         let [full, empty] = VOLTAGES;
         empty + (full - empty) * self.left() - RESISTANCE * self.current

@@ -1,26 +1,26 @@
-//! Every signal of a flight by topic and name, with its unit: what recordings and figures are made of.
+//! Every signal of a flight by topic and name, with its unit. Recordings and figures are made from them.
 //!
-//! One table serves CSV, MCAP and the figures, so that a signal has one name everywhere.
+//! One table serves CSV, MCAP and the figures, so that a signal has the same name everywhere.
 
 use crate::voyage::Moment;
 
-/// A signal.
+/// A signal of a flight.
 pub struct Signal {
-    /// Its name within its topic.
+    /// Name of the signal within its topic.
     pub name: &'static str,
-    /// Its unit, for people.
+    /// Unit of the signal, for people.
     pub unit: &'static str,
-    /// Its value at a moment.
+    /// Value of the signal in a period.
     pub value: fn(&Moment) -> f64,
 }
 
-/// Signals that belong together.
+/// A topic: signals that belong together.
 pub struct Topic {
-    /// Its name.
+    /// Name of the topic.
     pub name: &'static str,
     /// Description of the channel.
     pub about: &'static str,
-    /// Its signals.
+    /// Signals of the topic.
     pub signals: &'static [Signal],
 }
 
@@ -135,7 +135,7 @@ pub const TOPICS: &[Topic] = &[
     },
 ];
 
-/// The signal `topic.name`.
+/// Returns the signal `topic.name`.
 pub fn signal(topic: &str, name: &str) -> Option<&'static Signal> {
     let topic = TOPICS.iter().find(|known| known.name == topic)?;
     topic.signals.iter().find(|known| known.name == name)

@@ -1,19 +1,19 @@
-//! Figures of a flight with their limits: what its verdict is made of.
+//! Figures of a flight and their limits, which determine its verdict.
 
 use std::fmt;
 
 /// Limit of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limit {
-    /// At most this.
+    /// An upper limit.
     AtMost(f64),
-    /// At least this.
+    /// A lower limit.
     AtLeast(f64),
-    /// Between these.
+    /// A lower and an upper limit.
     Between(f64, f64),
-    /// Nothing: it is reported only.
+    /// No limit: the value is only reported.
     Told,
-    /// It has to be 1: a statement that holds.
+    /// The value must be 1, which means that a statement holds.
     Holds,
 }
 
@@ -26,32 +26,32 @@ pub struct Check {
     pub value: f64,
     /// Limit of the figure.
     pub limit: Limit,
-    /// Its unit.
+    /// Unit of the figure.
     pub unit: &'static str,
 }
 
 impl Check {
-    /// A figure that must not be larger than `limit`.
+    /// Creates a figure with an upper limit.
     pub fn at_most(what: &str, value: f64, limit: f64, unit: &'static str) -> Self {
         Self { what: what.to_owned(), value, limit: Limit::AtMost(limit), unit }
     }
 
-    /// A figure that must not be smaller than `limit`.
+    /// Creates a figure with a lower limit.
     pub fn at_least(what: &str, value: f64, limit: f64, unit: &'static str) -> Self {
         Self { what: what.to_owned(), value, limit: Limit::AtLeast(limit), unit }
     }
 
-    /// A figure that must lie between two values.
+    /// Creates a figure with a lower and an upper limit.
     pub fn between(what: &str, value: f64, least: f64, most: f64, unit: &'static str) -> Self {
         Self { what: what.to_owned(), value, limit: Limit::Between(least, most), unit }
     }
 
-    /// A figure that is reported only.
+    /// Creates a figure without a limit.
     pub fn told(what: &str, value: f64, unit: &'static str) -> Self {
         Self { what: what.to_owned(), value, limit: Limit::Told, unit }
     }
 
-    /// A statement that must hold.
+    /// Creates a statement that must hold.
     pub fn holds(what: &str, holds: bool) -> Self {
         let value = if holds { 1.0 } else { 0.0 };
         Self { what: what.to_owned(), value, limit: Limit::Holds, unit: "" }
@@ -68,7 +68,7 @@ impl Check {
         }
     }
 
-    /// The limit, as a person reads it.
+    /// Formats the limit for people.
     pub fn limit_text(&self) -> String {
         match self.limit {
             Limit::AtMost(most) => format!("≤ {}", with_unit(most, self.unit)),
@@ -80,7 +80,7 @@ impl Check {
         }
     }
 
-    /// The figure, as a person reads it.
+    /// Formats the value for people.
     pub fn value_text(&self) -> String {
         match self.limit {
             Limit::Holds if self.passes() => "yes".to_owned(),
@@ -96,7 +96,7 @@ impl fmt::Display for Check {
     }
 }
 
-/// A fraction as a percentage; anything else with its unit.
+/// Formats a fraction as a percentage, and other values with their unit.
 fn with_unit(value: f64, unit: &str) -> String {
     match unit {
         "" => format!("{:.2} %", 100.0 * value),

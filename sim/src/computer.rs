@@ -1,13 +1,13 @@
-//! Whatever can run the onboard software: here the models as rustc compiles them; their C is another.
+//! A computer that runs the onboard software: the models as compiled by rustc here; their C elsewhere.
 //!
-//! No flight can tell which of them it has on board.
+//! A flight cannot distinguish them.
 
 use bessemer_words::{digest, words};
 use models::{Inputs, Onboard, Outputs, Settings};
 
 /// An onboard computer.
 pub trait Computer {
-    /// One control period.
+    /// Runs one control period.
     fn step(&mut self, settings: &Settings, inputs: &Inputs) -> Outputs;
 
     /// Returns the [`digest`] of all outputs of the last period and of the state after it, as words in the order of
@@ -15,7 +15,7 @@ pub trait Computer {
     fn digest(&self) -> u64;
 }
 
-/// The models, as rustc compiles them.
+/// The models, compiled by rustc.
 #[derive(Clone, Debug, Default)]
 pub struct Native {
     onboard: Onboard,
@@ -23,7 +23,7 @@ pub struct Native {
 }
 
 impl Native {
-    /// The words of what it said in the last period and of what it remembers after it.
+    /// Returns the words of the last period's outputs and of the state after it.
     pub fn words(&self) -> Vec<u64> {
         [words(&self.outputs), words(&self.onboard)].concat()
     }

@@ -1,25 +1,25 @@
-//! Flights as pictures: the thesis' figures, drawn of our flights.
+//! Figures of flights: the thesis' figures, drawn from our flights.
 //!
-//! A figure is a row of data: a title, panels below one another, and in each the signals of
-//! [`crate::channels`] that it shows. Curves are thinned to what a screen can show; the legend is beside them.
+//! A figure is data: a title, panels below one another, and the signals of [`crate::channels`] in each. Curves have a
+//! limited number of points; the legend is to their right.
 
 use crate::channels::signal;
 use crate::voyage::{Moment, Voyage};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-/// A curve: the legend, and `topic.name` of a signal, a second one subtracted from it if there is one.
+/// A curve: its name, and the signal `topic.name`, from which another may be subtracted.
 #[derive(Clone, Copy)]
 pub struct Curve {
-    /// As the legend has it.
+    /// Name in the legend.
     pub name: &'static str,
-    /// The signal.
+    /// Topic and name of the signal.
     pub of: (&'static str, &'static str),
     /// Signal that is subtracted.
     pub less: Option<(&'static str, &'static str)>,
 }
 
-/// One pair of axes.
+/// A pair of axes with curves.
 pub struct Panel {
     /// Label of the vertical axis, with its unit.
     pub label: &'static str,
@@ -27,13 +27,13 @@ pub struct Panel {
     pub curves: &'static [Curve],
 }
 
-/// A picture.
+/// A figure of several panels.
 pub struct Figure {
-    /// Its file, without its ending.
+    /// File name without its ending.
     pub file: &'static str,
     /// Title of the figure.
     pub title: &'static str,
-    /// Its panels, from the top.
+    /// Panels from top to bottom.
     pub panels: &'static [Panel],
 }
 
@@ -159,20 +159,20 @@ pub const TILT: &[Figure] = &[TILT_FIGURE, ALTITUDE_FIGURE];
 /// Figures of a flight under feed-forward.
 pub const GRAVITY: &[Figure] = &[GRAVITY_FIGURE, ALTITUDE_FIGURE, PLANE_FIGURE];
 
-/// Time since take-off after which errors are to scale, s: before, they are of the size of the flight.
+/// Time since take-off from which errors determine their scale, s. Earlier ones are as large as the whole movement.
 const SETTLED: f64 = 6.0;
 
-/// Room for the legend, right of the curves.
+/// Width of the legend, to the right of the curves, in pixels.
 const LEGEND: u32 = 130;
 
-/// Most points of a curve.
+/// Largest number of points of a curve.
 const MAX_POINTS: usize = 900;
 
-/// Blue, orange, green, purple: told apart by people who do not see all colours, too.
+/// Blue, orange, green and purple, which colour-blind people can distinguish, too.
 const COLOURS: [RGBColor; 4] =
     [RGBColor(31, 119, 180), RGBColor(230, 110, 10), RGBColor(40, 140, 60), RGBColor(130, 80, 170)];
 
-/// Error that prevented a picture.
+/// Reason why a picture could not be drawn.
 #[derive(Debug, thiserror::Error)]
 #[error("the picture `{title}` cannot be drawn: {why}")]
 pub struct Error {
@@ -180,11 +180,11 @@ pub struct Error {
     why: String,
 }
 
-/// Points of a line to draw, with the legend's name.
+/// Points of a line to draw, and its name.
 pub struct Line {
-    /// As the legend has it.
+    /// Name in the legend.
     pub name: String,
-    /// The points.
+    /// Points of the line.
     pub points: Vec<(f64, f64)>,
     /// True to draw dots, not a line.
     pub dots: bool,
@@ -192,19 +192,20 @@ pub struct Line {
     pub error: bool,
 }
 
-/// A panel that is ready to be drawn.
+/// A panel with the points to draw.
 pub struct Axes {
     /// Label of the vertical axis.
     pub label: String,
-    /// The lines.
+    /// Lines of the panel.
     pub lines: Vec<Line>,
 }
 
 impl Figure {
-    /// The picture of a flight, as SVG.
+    /// Draws the figure of a flight as SVG.
     ///
     /// # Errors
-    /// What the drawing library said.
+    ///
+    /// The message of the drawing library.
     pub fn draw(&self, flight: &str, voyage: &Voyage) -> Result<String, Error> {
         let axes: Vec<Axes> = self.panels.iter().map(|panel| panel.axes(voyage)).collect();
         draw(&format!("{flight}: {}", self.title), "time since take-off, s", &axes)
@@ -247,10 +248,11 @@ fn thinned(voyage: &Voyage, value: impl Fn(&Moment) -> f64) -> Vec<(f64, f64)> {
     points
 }
 
-/// Panels below one another under a title, as SVG.
+/// Draws panels below one another under a title, as SVG.
 ///
 /// # Errors
-/// What the drawing library said.
+///
+/// The message of the drawing library.
 pub fn draw(title: &str, across: &str, panels: &[Axes]) -> Result<String, Error> {
     let mut text = String::new();
     let height = 50 + 230 * panels.len() as u32;
@@ -325,7 +327,8 @@ fn paint_panel<'a>(area: &Area<'a>, across: &str, panel: &Axes) -> Result<(), Fa
     Ok(())
 }
 
-/// A number on an axis of some width: as many digits as tell its marks apart, and no minus before zeros.
+/// Formats a number on an axis of a given range: with enough digits to distinguish the marks, and without a minus for
+/// 0.
 fn number(value: f64, width: f64) -> String {
     let digits = (1.3 - width.log10()).ceil().clamp(0.0, 9.0) as usize;
     let text = format!("{value:.digits$}");
@@ -333,7 +336,7 @@ fn number(value: f64, width: f64) -> String {
     if zero { text.trim_start_matches('-').to_owned() } else { text }
 }
 
-/// The range of some values, wider by a share of it on both sides; of some width in any case.
+/// Returns the range of some values, extended by a fraction `margin` on both sides; it is never empty.
 fn span(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
     let (low, high) = values
         .filter(|value| value.is_finite())

@@ -1,6 +1,6 @@
-//! A pilot flying a mission in closed loop, recorded step by step.
+//! A pilot that flies a mission in closed loop, recorded step by step.
 //!
-//! Knows the pilot only through its trait, and passes no judgement.
+//! Knows the pilot only through its trait, and does not judge the flight.
 
 use crate::mission::Mission;
 use crate::pilot::Pilot;
@@ -8,10 +8,10 @@ use crate::plant::{Body, Loads, State};
 use crate::vehicle::Vehicle;
 use models::{Command, Estimate, Parameters, Target};
 
-/// One control period, as it was flown.
+/// One control period of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// Its beginning, s.
+    /// Start of the period, s.
     pub time: f64,
     /// True state of the aircraft.
     pub state: State,
@@ -25,7 +25,7 @@ pub struct Step {
     pub memory: Vec<u64>,
 }
 
-/// A flight as it was flown.
+/// A recorded flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flight {
     /// Every control period, in order.
@@ -34,7 +34,8 @@ pub struct Flight {
     pub end: State,
 }
 
-/// Flies a mission in the given vehicle: one step of the pilot per control period, its command held.
+/// Flies a mission with a vehicle: one step of the pilot in each control period, during which its command is
+/// constant.
 pub fn fly(
     vehicle: &Vehicle,
     parameters: &Parameters,

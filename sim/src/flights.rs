@@ -20,7 +20,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A flight by name.
 pub struct Flight {
-    /// Its name on the command line.
+    /// Name of the flight on the command line.
     pub name: &'static str,
     /// Description of the flight.
     pub about: &'static str,
@@ -148,7 +148,7 @@ pub const FLIGHTS: &[Flight] = &[
     },
 ];
 
-/// The flight of a name.
+/// Returns the flight with a name.
 pub fn find(name: &str) -> Option<&'static Flight> {
     FLIGHTS.iter().find(|flight| flight.name == name)
 }
@@ -210,8 +210,9 @@ fn yaw_checks(_: &Scenario, voyage: &Voyage) -> Vec<Check> {
     ]
 }
 
-/// A hover under feed-forward, of an aircraft whose propellers lie up to 10 % off the data sheet. The
-/// software has the coefficients that an earlier hover of that aircraft showed, taken for `mistake` too high.
+/// The scenario of a hover with feed-forward, by an aircraft whose propellers differ by up to 10 % from the data
+/// sheet. The software has the coefficients identified in an earlier hover of that aircraft, increased by a fraction
+/// `mistake`.
 fn reduced(seed: u64, injection: Injection, landing: f64, mistake: f64) -> Scenario {
     let points = [point(0.0, 0.0, 0.0, 1.0, 0.0)];
     let hover = known::unknown_hover(seed);

@@ -1,8 +1,7 @@
-//! The people on the ground: they send orders up, and read what comes down.
+//! A simulated ground station, which sends commands and receives telemetry.
 //!
-//! The other end of the link: it frames orders into packets, one a period, in the order of their times,
-//! and puts the records of the onboard logger together again. Written against the description of the
-//! packets, not with the models' code.
+//! It converts commands to packets, at most one in a period, in the order of their times, and assembles the records
+//! of the onboard logger. Written from the description of the packets, not with the models' code.
 
 use models::packet::Packet;
 use models::receiver::{
@@ -13,18 +12,18 @@ use models::sender::{PARAMETER, RECORD, STATUS};
 use models::trajectory::SetPoint;
 use std::collections::VecDeque;
 
-/// Something to send.
+/// A command to be sent.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Order {
     /// Opens the link.
     Hello,
-    /// Closes it.
+    /// Closes the link.
     Goodbye,
     /// Changes the mode.
     Mode(Mode),
-    /// Hands in a trajectory: several packets.
+    /// Sends a trajectory, in several packets.
     Fly(Vec<SetPoint>),
-    /// Hands in a trajectory by a name, at which it can be recognised when it is flown.
+    /// Sends a trajectory with a number, by which it can be recognised in flight.
     FlyAs(u8, Vec<SetPoint>),
     /// Takes off.
     TakeOff,
@@ -34,28 +33,29 @@ pub enum Order {
     Sticks(Sticks),
     /// Stops the motors.
     Stop,
-    /// Says that somebody is there.
+    /// Sends a heartbeat.
     Beat,
-    /// Makes ready for another flight.
+    /// Arms the aircraft for another flight.
     Arm,
-    /// Asks for a parameter by its number.
+    /// Requests a parameter by its number.
     Ask(u8),
     /// Sets a parameter.
     Set(u8, f64),
-    /// Chooses the signals of the records: what to call the choice, every so many periods, which.
+    /// Selects the signals of the records: a number for the selection, the number of periods between records, and the
+    /// signals.
     Choose(u8, u8, [u8; 36]),
-    /// Any bytes at all, to see what happens.
+    /// Arbitrary bytes, for tests of invalid packets.
     Raw(Packet),
 }
 
-/// Orders as packets, numbered in the order in which they are framed.
+/// Converts commands to packets, which are numbered in order.
 #[derive(Clone, Debug, Default)]
 pub struct Framer {
     sequence: u16,
 }
 
 impl Framer {
-    /// The packets of an order.
+    /// Returns the packets of a command.
     pub fn frame(&mut self, order: &Order) -> Vec<Packet> {
         match order {
             Order::Hello => vec![self.packet(HELLO, &[])],
@@ -103,25 +103,25 @@ impl Framer {
     }
 }
 
-/// One moment as the onboard logger wrote it down.
+/// One moment recorded by the onboard logger.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
-    /// When: periods since the software began.
+    /// Number of periods since the software began.
     pub period: u32,
-    /// Tag of the selection of signals.
+    /// Number of the selection of signals.
     pub tag: u8,
-    /// The signals, in single precision.
+    /// Values of the signals, in single precision.
     pub values: Vec<f32>,
 }
 
 /// State of the link as the aircraft reports it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Status {
-    /// Packets taken, broken, old, senseless; unsealed, forged, replayed; records lost.
+    /// Counters of packets: accepted, corrupt, outdated, invalid, unsealed, forged, replayed; and of lost records.
     pub counts: [u32; 8],
-    /// The mode's number.
+    /// Number of the flight mode.
     pub mode: u8,
-    /// Tag of the active trajectory.
+    /// Number of the active trajectory.
     pub tag: u8,
     /// True if heartbeats of the ground station are expected.
     pub watched: bool,
@@ -130,22 +130,22 @@ pub struct Status {
 /// Contents of the downlink.
 #[derive(Clone, Debug, PartialEq)]
 pub enum News {
-    /// A record that has come as a whole.
+    /// A complete record.
     Record(Record),
     /// State of the link.
     Status(Status),
-    /// A parameter's number and its value.
+    /// The number and the value of a parameter.
     Parameter(u8, f64),
 }
 
-/// Makes news of packets: records come in parts.
+/// Assembles records from packets, since a record has several parts.
 #[derive(Clone, Debug, Default)]
 pub struct Collector {
     record: Record,
 }
 
 impl Collector {
-    /// Takes in what came down: the news that it completes.
+    /// Processes a packet; returns what it completes.
     pub fn take(&mut self, packet: &Packet) -> Option<News> {
         let bytes = &packet.bytes[..packet.length.min(64)];
         let (head, payload) = unframed(bytes)?;
@@ -166,7 +166,7 @@ impl Collector {
         }
     }
 
-    /// A part of a record: the record, if it is the last and none is missing.
+    /// Adds a part of a record; returns the record, if this is the last part and none is missing.
     fn part(&mut self, payload: &[u8]) -> Option<Record> {
         let (stamp, values) = payload.split_at(6);
         let (period, tag) = (u32::from_le_bytes(fixed(&stamp[..4])), stamp[4]);
@@ -183,24 +183,24 @@ impl Collector {
     }
 }
 
-/// The ground station of one flight.
+/// The simulated ground station of one flight.
 #[derive(Clone, Debug, Default)]
 pub struct GroundStation {
     orders: VecDeque<(f64, Order)>,
     packets: VecDeque<Packet>,
     framer: Framer,
     collector: Collector,
-    /// Every record that came down whole.
+    /// All complete records.
     pub records: Vec<Record>,
 }
 
 impl GroundStation {
-    /// A ground station that sends each order from its time on, s.
+    /// Creates a ground station with commands, each with its time, s.
     pub fn new(orders: &[(f64, Order)]) -> Self {
         Self { orders: orders.iter().cloned().collect(), ..Self::default() }
     }
 
-    /// The packet to send in the period that begins at `time`, s.
+    /// Returns the packet to send in the period that begins at `time`, s.
     pub fn send(&mut self, time: f64) -> Packet {
         while self.orders.front().is_some_and(|(at, _)| *at <= time) {
             if let Some((_, order)) = self.orders.pop_front() {
@@ -210,7 +210,7 @@ impl GroundStation {
         self.packets.pop_front().unwrap_or_default()
     }
 
-    /// Takes in what came down.
+    /// Processes a received packet.
     pub fn receive(&mut self, packet: &Packet) {
         if let Some(News::Record(record)) = self.collector.take(packet) {
             self.records.push(record);
@@ -218,7 +218,7 @@ impl GroundStation {
     }
 }
 
-/// A packet around a payload of at most 56 bytes.
+/// Builds a packet with a payload of at most 56 bytes.
 pub fn framed(kind: u8, sequence: u16, payload: &[u8]) -> Packet {
     let mut bytes = vec![0xA5, 0x5A, kind];
     bytes.extend(sequence.to_le_bytes());
@@ -230,7 +230,7 @@ pub fn framed(kind: u8, sequence: u16, payload: &[u8]) -> Packet {
     packet
 }
 
-/// Kind and payload of a packet that came whole.
+/// Returns kind and payload of a valid packet.
 pub fn unframed(bytes: &[u8]) -> Option<(u8, &[u8])> {
     let (body, sum) = bytes.split_at_checked(bytes.len().checked_sub(2)?)?;
     let sound = body.starts_with(&[0xA5, 0x5A]) && crc(&body[2..]).to_le_bytes() == sum;
@@ -238,7 +238,7 @@ pub fn unframed(bytes: &[u8]) -> Option<(u8, &[u8])> {
     (sound && whole).then(|| (body[2], &body[6..]))
 }
 
-/// CRC-16/CCITT, bit by bit from the highest.
+/// Computes CRC-16/CCITT bit by bit, from the most significant bit.
 fn crc(bytes: &[u8]) -> u16 {
     let step = |sum: u16| if sum >> 15 == 1 { (sum << 1) ^ 0x1021 } else { sum << 1 };
     bytes

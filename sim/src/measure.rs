@@ -1,17 +1,17 @@
-//! The figures of a flight: errors, overshoot, settling, touch-down, commands.
+//! Figures of a flight: errors, overshoot, settling, touch-down, commands.
 //!
-//! All of it is measured on the aircraft as it was, not on what the software believed.
+//! All of them are measured on the true state, not on the software's estimate.
 
 use crate::voyage::{Moment, Voyage};
 use models::airframe::GRAVITY;
 use models::geometry::wrapped;
 use models::{Airframe, Alarm, Phase};
 
-/// Distance at which the height is settled, m.
+/// Error of height below which the height counts as settled, m.
 pub const CLOSE: f64 = 0.05;
 
 impl Voyage {
-    /// The moments between two times, s.
+    /// Returns the periods between two times, s.
     pub fn between(&self, from: f64, to: f64) -> impl Iterator<Item = &Moment> {
         self.moments.iter().filter(move |moment| from <= moment.time && moment.time < to)
     }
@@ -21,7 +21,7 @@ impl Voyage {
         self.worst(from, to, |moment| wanted(moment).z - moment.state.position.z)
     }
 
-    /// Largest distance from the wanted place in the plane between two times, m.
+    /// Returns the largest distance from the target in the plane between two times, m.
     pub fn plane_error(&self, from: f64, to: f64) -> f64 {
         self.worst(from, to, |moment| (wanted(moment) - moment.state.position).xy().norm())
     }
@@ -60,7 +60,7 @@ impl Voyage {
         })
     }
 
-    /// The first alarm, and when it came, s.
+    /// Returns the first alarm and its time, s.
     pub fn alarm(&self) -> Option<(f64, Alarm)> {
         let raised = self.moments.iter().find(|moment| moment.outputs.alarm != Alarm::Clear);
         raised.map(|moment| (moment.time, moment.outputs.alarm))
@@ -71,7 +71,7 @@ impl Voyage {
         self.mean(from, to, |moment| mean_of(moment.outputs.command.closed_loop.as_slice()))
     }
 
-    /// Mean speed that is asked of the motors over motors and time, rad/s.
+    /// Returns the mean commanded speed over motors and time, rad/s.
     pub fn commanded(&self, from: f64, to: f64) -> f64 {
         self.mean(from, to, |moment| mean_of(moment.outputs.command.speeds.as_slice()))
     }
@@ -96,7 +96,7 @@ impl Voyage {
     }
 }
 
-/// The mean magnitude of the motors that there are: the others are 0.
+/// Returns the mean magnitude over the existing motors; the others are 0.
 fn mean_of(motors: &[f64]) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0_f64);
     for motor in motors.iter().filter(|motor| **motor != 0.0) {

@@ -1,6 +1,6 @@
-//! A mission: the pilot's orders with their times, and the air that the aircraft meets.
+//! A mission: the commands to the pilot with their times, and the air.
 //!
-//! Knows nothing of how well it is done: that is for [`crate::verdict`].
+//! Does not know how well it is flown: see [`crate::verdict`].
 
 use crate::plant::State;
 use models::Target;
@@ -19,9 +19,9 @@ pub enum Action {
     },
     /// Turn to a yaw, rad.
     Turn(f64),
-    /// Go to a place, x and y, m.
+    /// Fly to a position, x and y, m.
     Go(f64, f64),
-    /// Sink at a rate, m/s (thesis, eq. (3.20)), and stop the motors on touch-down.
+    /// Descend at a rate, m/s (thesis, eq. (3.20)), and stop the motors on touch-down.
     Land(f64),
 }
 
@@ -30,30 +30,30 @@ pub enum Action {
 pub struct Manoeuvre {
     /// Name of the manoeuvre.
     pub name: &'static str,
-    /// When it begins, s.
+    /// Start of the manoeuvre, s.
     pub begins: f64,
     /// Command to the pilot.
     pub action: Action,
 }
 
-/// A gust that twists the aircraft one way and then, for as long, the other.
+/// A gust that twists the aircraft in one direction and then, for the same time, in the other.
 ///
-/// It leaves hardly any tilt behind, but it shows whether each motor does what its pilot believes:
-/// if not, resisting the gust turns the aircraft about another axis.
+/// It leaves hardly any tilt, but shows whether each motor has the effect that the pilot assumes: if not, resisting
+/// the gust rotates the aircraft about another axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gust {
     /// Name of the gust.
     pub name: &'static str,
-    /// When it begins, s.
+    /// Start of the gust, s.
     pub begins: f64,
     /// Duration of the gust in each direction, s.
     pub lasts: f64,
-    /// Torque about the body's axes while it blows the first way, N·m.
+    /// Torque about the body's axes in the first half, N·m.
     pub torque: Vector3<f64>,
 }
 
 impl Gust {
-    /// When it ends, s.
+    /// Returns the end of the gust, s.
     pub fn ends(&self) -> f64 {
         self.begins + 2.0 * self.lasts
     }
@@ -71,7 +71,7 @@ impl Gust {
     }
 }
 
-/// A flight as it is planned.
+/// A planned flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mission {
     /// Duration of the mission, s.
@@ -132,7 +132,7 @@ impl Mission {
 }
 
 impl Action {
-    /// Changes the target as the action asks, `elapsed` seconds after its beginning.
+    /// Applies an action to the target, `elapsed` seconds after its beginning.
     fn apply(self, elapsed: f64, target: &mut Target) {
         match self {
             Action::TakeOff { burn, height } => {

@@ -1,11 +1,11 @@
-//! Motors as they are: they take time to change their speed, and may stop for good.
+//! Real motors: their speed follows the command with a delay, and they may fail.
 
 use nalgebra::SVector;
 
 /// The motors of one aircraft.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motors {
-    /// Speed of each, rad/s.
+    /// Speed of each motor, rad/s.
     pub speeds: SVector<f64, 8>,
     /// Time constant with which a motor follows its command, s.
     pub lag: f64,
@@ -14,7 +14,7 @@ pub struct Motors {
 }
 
 impl Motors {
-    /// Motors at rest.
+    /// Creates motors at rest.
     pub fn new(lag: f64) -> Self {
         Self { speeds: SVector::zeros(), lag, dead: None }
     }

@@ -1,22 +1,22 @@
-//! Whatever can fly the aircraft.
+//! Controllers that can fly the aircraft.
 //!
-//! The model itself, its emitted C and the interpreter of its IR all fly behind one trait, so that
-//! no flight can tell which of them it has on board.
+//! The model, its emitted C and the interpreter of its IR implement one trait, so that a flight cannot distinguish
+//! them.
 
 use bessemer::Plain;
 use models::{Command, Controller, Estimate, Parameters, Target};
 use nalgebra::SVector;
 
-/// A controller, however it is carried out.
+/// A controller on any leg.
 pub trait Pilot {
-    /// One control period.
+    /// Runs one control period.
     fn step(&mut self, estimate: &Estimate, target: &Target) -> Command;
 
     /// Returns the controller's state as words in order of declaration: an `f64` by its bits, a `bool` as 0 or 1.
     fn state(&self) -> Vec<u64>;
 }
 
-/// The model, as rustc compiles it.
+/// The model, compiled by rustc.
 #[derive(Clone, Debug)]
 pub struct Native {
     parameters: Parameters,
@@ -24,7 +24,7 @@ pub struct Native {
 }
 
 impl Native {
-    /// The controller in its initial state.
+    /// Creates the controller in its initial state.
     pub fn new(parameters: Parameters) -> Self {
         Self { parameters, controller: Controller::default() }
     }

@@ -31,7 +31,7 @@ pub struct Loads {
     pub wind: Vector3<f64>,
 }
 
-/// A rigid body: what resists the loads.
+/// A rigid body: its mass and inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
     /// Mass, kg.
@@ -40,8 +40,7 @@ pub struct Body {
     pub inertia: Vector3<f64>,
 }
 
-/// Rotation from the body frame to the inertial frame (thesis, eq. (2.11)), as the product of
-/// its three turns.
+/// Rotation from the body frame to the inertial frame (thesis, eq. (2.11)), as the product of three rotations.
 pub fn rotation(angles: &Vector3<f64>) -> Matrix3<f64> {
     let (s1, c1) = angles.x.sin_cos();
     let (s2, c2) = angles.y.sin_cos();
@@ -69,7 +68,7 @@ impl State {
         self.vector().iter().all(|value| value.is_finite())
     }
 
-    /// The state after `period` seconds: one step of RK4 under held loads, above the floor.
+    /// Returns the state after `period` seconds: one step of RK4 with constant loads, limited by the floor.
     pub fn after(&self, body: &Body, loads: &Loads, period: f64) -> State {
         let start = self.vector();
         let slope = |at: SVector<f64, 12>| State::from_vector(&at).slope(body, loads);
@@ -81,7 +80,7 @@ impl State {
         State::from_vector(&end).above_floor()
     }
 
-    /// Rate of every state (thesis, eqs. (2.17), (2.23), (2.24), (2.28), (2.29)).
+    /// Derivative of every state (thesis, eqs. (2.17), (2.23), (2.24), (2.28), (2.29)).
     fn slope(&self, body: &Body, loads: &Loads) -> SVector<f64, 12> {
         let push = rotation(&self.angles) * Vector3::new(0.0, 0.0, loads.thrust) + loads.wind;
         let momentum = body.inertia.component_mul(&self.rates);
@@ -95,7 +94,7 @@ impl State {
         .vector()
     }
 
-    /// The floor takes what falls: the aircraft rests there until its thrust lifts it.
+    /// Applies the floor: the aircraft rests on it until its thrust lifts it.
     fn above_floor(self) -> State {
         if self.position.z > 0.0 || self.velocity.z > 0.0 {
             return self;

@@ -1,9 +1,8 @@
-//! Flights as files: CSV for everybody, MCAP for Foxglove and PlotJuggler.
+//! Recordings of flights: CSV, and MCAP for Foxglove and PlotJuggler.
 //!
-//! Both hold every signal of [`crate::channels`] at each control period. An MCAP topic is a JSON channel
-//! with its schema. All of its times count from the first period: that is [`LEAD`] before a take-off at 0. `/pose/…`
-//! are what Foxglove's 3D panel shows. [`channels`] and [`messages`] are the same topics for whoever hands them on
-//! without a file.
+//! Both contain every signal of [`crate::channels`] in each control period. An MCAP topic is a JSON channel with its
+//! schema. Its times count from the first period, which is [`LEAD`] before take-off at time 0. The topics `/pose/…`
+//! are for Foxglove's 3D panel. [`channels`] and [`messages`] provide the topics without a file.
 
 use crate::channels::{TOPICS, Topic};
 use crate::plant::rotation;
@@ -20,7 +19,7 @@ use std::path::Path;
 /// Errors of a recording.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// It could not be read or written.
+    /// The file could not be read or written.
     #[error("`{path}`: {source}")]
     File {
         /// The file.
@@ -28,7 +27,7 @@ pub enum Error {
         /// An error of the system.
         source: std::io::Error,
     },
-    /// It is no MCAP file, or one that was cut off.
+    /// The file is not an MCAP file, or it was cut off.
     #[error(
         "`{path}` is no whole MCAP file: {source}; record it again with `cargo xtask sim FLIGHT --out FOLDER`"
     )]
@@ -38,7 +37,7 @@ pub enum Error {
         /// Error of the file.
         source: mcap::McapError,
     },
-    /// It does not hold what is looked for.
+    /// The file lacks a signal or a description.
     #[error("`{path}` has no {what}; record it with `cargo xtask sim FLIGHT --out FOLDER`")]
     Lacks {
         /// The file.
@@ -48,7 +47,7 @@ pub enum Error {
     },
 }
 
-/// A flight as comma-separated values: a header `topic.signal [unit]`, and a line for each period.
+/// Formats a flight as comma-separated values: a header `topic.signal [unit]`, and a line for each period.
 pub fn csv(voyage: &Voyage) -> String {
     let mut text = String::from("time [s]");
     for topic in TOPICS {
@@ -67,10 +66,11 @@ pub fn csv(voyage: &Voyage) -> String {
     text
 }
 
-/// A flight as an MCAP file; `about` says what flew.
+/// Formats a flight as an MCAP file; `about` describes the flight.
 ///
 /// # Errors
-/// What the writer said.
+///
+/// The message of the writer.
 pub fn mcap(voyage: &Voyage, about: &BTreeMap<String, String>) -> Result<Vec<u8>, mcap::McapError> {
     let mut bytes = Vec::new();
     let mut writer = Writer::new(Cursor::new(&mut bytes), about)?;
@@ -90,10 +90,11 @@ pub struct Writer<W: Write + Seek> {
 }
 
 impl<W: Write + Seek> Writer<W> {
-    /// Begins a file; `about` says what flew.
+    /// Starts a file; `about` describes the flight.
     ///
     /// # Errors
-    /// What the writer said.
+    ///
+    /// The message of the writer.
     pub fn new(sink: W, about: &BTreeMap<String, String>) -> Result<Self, mcap::McapError> {
         let options = mcap::WriteOptions::new()
             .compression(Some(mcap::Compression::Lz4))
@@ -108,10 +109,11 @@ impl<W: Write + Seek> Writer<W> {
         Ok(Self { writer, channels: ids, raw: BTreeMap::new(), sequence: 0 })
     }
 
-    /// Adds a topic of bytes that nobody but us reads; `about` says what they are.
+    /// Adds a topic of bytes in a private format; `about` describes them.
     ///
     /// # Errors
-    /// What the writer said.
+    ///
+    /// The message of the writer.
     pub fn raw(&mut self, topic: &str, encoding: &str, about: &str) -> Result<(), mcap::McapError> {
         let schema = self.writer.add_schema(encoding, encoding, about.as_bytes())?;
         let channel = self.writer.add_channel(schema, topic, encoding, &BTreeMap::new())?;
@@ -119,10 +121,11 @@ impl<W: Write + Seek> Writer<W> {
         Ok(())
     }
 
-    /// Writes a moment to every topic.
+    /// Writes a period to every topic.
     ///
     /// # Errors
-    /// What the writer said.
+    ///
+    /// The message of the writer.
     pub fn moment(&mut self, moment: &Moment) -> Result<(), mcap::McapError> {
         for (channel, message) in self.channels.iter().zip(messages(moment)) {
             let header = header(*channel, self.sequence, moment.time);
@@ -132,20 +135,22 @@ impl<W: Write + Seek> Writer<W> {
         Ok(())
     }
 
-    /// Writes bytes of a time, s, to a topic that [`raw`](Writer::raw) added; nothing to any other.
+    /// Writes bytes with a time, s, to a topic that [`raw`](Writer::raw) added; does nothing for another topic.
     ///
     /// # Errors
-    /// What the writer said.
+    ///
+    /// The message of the writer.
     pub fn bytes(&mut self, topic: &str, time: f64, bytes: &[u8]) -> Result<(), mcap::McapError> {
         let Some(channel) = self.raw.get(topic) else { return Ok(()) };
         let header = header(*channel, self.sequence, time);
         self.writer.write_to_known_channel(&header, bytes)
     }
 
-    /// Ends the file.
+    /// Finishes the file.
     ///
     /// # Errors
-    /// What the writer said.
+    ///
+    /// The message of the writer.
     pub fn finish(mut self) -> Result<(), mcap::McapError> {
         self.writer.finish().map(drop)
     }
@@ -154,15 +159,15 @@ impl<W: Write + Seek> Writer<W> {
 /// A JSON channel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Channel {
-    /// Its topic.
+    /// Topic of the channel.
     pub topic: String,
-    /// The name of its schema.
+    /// Name of the schema.
     pub schema: String,
-    /// Its JSON schema.
+    /// Text of the JSON schema.
     pub text: String,
 }
 
-/// The channels of a flight.
+/// Returns the channels of a flight.
 pub fn channels() -> impl Iterator<Item = Channel> {
     let signals = TOPICS.iter().map(|topic| Channel {
         topic: format!("/{}", topic.name),
@@ -177,7 +182,7 @@ pub fn channels() -> impl Iterator<Item = Channel> {
     signals.chain(poses)
 }
 
-/// A moment as JSON: a message for each of the [`channels`], in their order.
+/// Formats a period as JSON: a message for each of the [`channels`], in their order.
 pub fn messages(moment: &Moment) -> impl Iterator<Item = String> + '_ {
     let (state, estimate) = (&moment.state, &moment.outputs.estimate);
     let poses = [(&state.position, &state.angles), (&estimate.position, &estimate.angles)];
@@ -186,7 +191,7 @@ pub fn messages(moment: &Moment) -> impl Iterator<Item = String> + '_ {
     signals.chain(poses.into_iter().map(move |(place, angles)| pose(time, place, angles)))
 }
 
-/// A time of a flight, s, as recordings count it, ns.
+/// Converts a time of a flight, s, to the time of recordings, ns.
 pub fn log_time(time: f64) -> u64 {
     ((time + LEAD) * 1e9).round() as u64
 }
@@ -196,7 +201,7 @@ fn header(channel_id: u16, sequence: u32, time: f64) -> MessageHeader {
     MessageHeader { channel_id, sequence, log_time, publish_time: log_time }
 }
 
-/// Foxglove's schema of a pose, as far as we fill it in.
+/// The fields of Foxglove's schema of a pose that are used here.
 const POSE: &str = r#"{"title":"foxglove.PoseInFrame","type":"object","properties":{
 "timestamp":{"type":"object","title":"time","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},
 "frame_id":{"type":"string"},
@@ -221,7 +226,7 @@ fn pose(time: u64, position: &Vector3<f64>, angles: &Vector3<f64>) -> String {
     .to_string()
 }
 
-/// The names of a signal's values, where they are numbers for people's words.
+/// Returns the names of a signal's values, if they are numbers of named states.
 fn words(name: &str) -> Option<Vec<String>> {
     let all = |count: u8, name: fn(u8) -> String| Some((0..count).map(name).collect());
     match name {
@@ -270,12 +275,12 @@ fn message(topic: &Topic, moment: &Moment) -> String {
     Value::Object(object).to_string()
 }
 
-/// JSON has no word for what is not a number.
+/// Converts a number to JSON, which cannot represent NaN and infinities.
 fn number(value: f64) -> Value {
     Number::from_f64(value).map_or(Value::Null, Value::Number)
 }
 
-/// A flight as read back: a row of values for each period, by `topic.signal`.
+/// A flight read from a file: a row of values for each period, by `topic.signal`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Log {
     /// Description of the flight.
@@ -288,7 +293,8 @@ impl Log {
     /// Reads an MCAP file that [`mcap`] wrote.
     ///
     /// # Errors
-    /// The file cannot be read, or is none of ours.
+    ///
+    /// The file cannot be read, or was not written by [`mcap`].
     pub fn read(path: &Path) -> Result<Self, Error> {
         let name = path.display().to_string();
         let file = |source| Error::File { path: name.clone(), source };
@@ -302,7 +308,8 @@ impl Log {
     /// Reads the bytes of an MCAP file; `path` is for messages.
     ///
     /// # Errors
-    /// The bytes are no MCAP file, or none of ours.
+    ///
+    /// The bytes are not an MCAP file written by [`mcap`].
     pub fn of(bytes: &[u8], path: String) -> Result<Self, Error> {
         let broken = |source| Error::Mcap { path: path.clone(), source };
         let mut log = Self { path: path.clone(), ..Self::default() };
@@ -329,14 +336,15 @@ impl Log {
         Ok(log)
     }
 
-    /// The error that something is not in it.
+    /// Returns the error for missing content.
     pub fn lacks(&self, what: &str) -> Error {
         Error::Lacks { path: self.path.clone(), what: what.to_owned() }
     }
 
-    /// The values of a signal, `topic.name`.
+    /// Returns the values of the signal `topic.name`.
     ///
     /// # Errors
+    ///
     /// There is no such signal.
     pub fn column(&self, name: &str) -> Result<&[f64], Error> {
         let lacks = || self.lacks(&format!("signal `{name}`"));

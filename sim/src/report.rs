@@ -1,11 +1,11 @@
-//! A flight as a person wants to read it: what was asked, how it settled, which limits were met.
+//! A report about a flight for people: commands, settling, and limits.
 
 use std::fmt::Write as _;
 
 use crate::verdict::{judge, saturations, settled};
 use crate::{Flight, Mission, Tolerance};
 
-/// A Markdown page about a flight with motors up to `largest_command`.
+/// Formats a Markdown page about a flight with motors up to `largest_command`.
 pub fn page(flight: &Flight, mission: &Mission, largest_command: f64) -> String {
     let tolerance = Tolerance::default();
     let mut text = String::new();
@@ -42,7 +42,7 @@ pub fn page(flight: &Flight, mission: &Mission, largest_command: f64) -> String 
     text
 }
 
-/// Every step as comma-separated values, SI units.
+/// Formats every step as comma-separated values, in SI units.
 pub fn csv(flight: &Flight) -> String {
     let mut text = String::from("time,x,y,z,roll,pitch,yaw,motor1,motor2,motor3,motor4\n");
     for step in &flight.steps {

@@ -1,7 +1,7 @@
-//! A flight before it is flown: the aircraft as it is, the software's settings, what the ground sends,
-//! the air, the sensors, and what breaks.
+//! A flight before it is flown: the true aircraft, the software's settings, the ground's commands, the air, the
+//! sensors, and failures.
 //!
-//! Plain data: everything that a flight depends on is in here, the seed included.
+//! Plain data: a flight depends on nothing else, and the seed is part of it.
 
 use crate::air::Air;
 use crate::ground_station::Order;
@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 /// Time on the ground before take-off, in which the estimator settles, s. Flights count from take-off.
 pub const LEAD: f64 = 1.0;
 
-/// Something that breaks in flight.
+/// A failure in flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Failure {
     /// A motor stops.
@@ -28,34 +28,34 @@ pub enum Failure {
 /// A gain whose sign can change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gain {
-    /// Roll, all three.
+    /// All three gains of roll.
     Roll,
-    /// Pitch, all three.
+    /// All three gains of pitch.
     Pitch,
-    /// Height, all three.
+    /// All three gains of height.
     Height,
-    /// The lean along x.
+    /// The gains from the position error along x to the tilt.
     Along,
 }
 
-/// A flight to be flown.
+/// Everything on which a flight depends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
     /// Duration from take-off on, s.
     pub duration: f64,
     /// The software's settings.
     pub settings: Settings,
-    /// The aircraft as it is.
+    /// The true airframe.
     pub airframe: Airframe,
-    /// Time constant of its motors, s.
+    /// Time constant of the motors, s.
     pub lag: f64,
     /// Initial state.
     pub start: State,
     /// Commands of the ground station, in order of time.
     pub orders: Vec<(f64, Order)>,
-    /// The air.
+    /// Properties of the air.
     pub air: Air,
-    /// The sensors.
+    /// Quality of the sensors.
     pub senses: Senses,
     /// Failure and its time, s.
     pub failure: Option<(f64, Failure)>,
@@ -64,7 +64,7 @@ pub struct Scenario {
 }
 
 impl Scenario {
-    /// A flight of the Mambo along set points, that lands `landing` seconds after take-off.
+    /// A flight of the Mambo along setpoints, which lands `landing` seconds after take-off.
     pub fn mambo(points: &[SetPoint], landing: f64, mode: Mode) -> Self {
         let height = points.last().map_or(0.0, |point| point.position.z);
         Self {
@@ -91,7 +91,7 @@ impl Scenario {
         }
     }
 
-    /// The settings in force at a time, s.
+    /// Returns the settings at a time, s.
     pub fn settings_at(&self, time: f64) -> Settings {
         let mut settings = self.settings;
         if let Some((at, Failure::Gain(gain))) = self.failure
@@ -113,7 +113,7 @@ impl Scenario {
         settings
     }
 
-    /// The sensor that is stuck at a time, s.
+    /// Returns the sensor that is stuck at a time, s.
     pub fn stuck_at(&self, time: f64) -> Option<Stuck> {
         match self.failure {
             Some((at, Failure::Sensor(sensor))) if time >= at => Some(sensor),
@@ -121,7 +121,7 @@ impl Scenario {
         }
     }
 
-    /// The motor that has stopped by a time, s.
+    /// Returns the motor that has stopped by a time, s.
     pub fn dead_at(&self, time: f64) -> Option<usize> {
         match self.failure {
             Some((at, Failure::Motor(motor))) if time >= at => Some(motor),
@@ -130,7 +130,7 @@ impl Scenario {
     }
 }
 
-/// A set point.
+/// Creates a setpoint.
 pub fn point(time: f64, x: f64, y: f64, z: f64, yaw: f64) -> SetPoint {
     SetPoint { time, position: Vector3::new(x, y, z), yaw }
 }

@@ -1,6 +1,6 @@
-//! Sensors as they are: noise, bias, delay, drop-outs, outliers, their own rates, counts.
+//! Real sensors: noise, bias, delay, drop-outs, outliers, individual rates, and resolution.
 //!
-//! They see the true state and say what the processor gets. Knows nothing of what is made of it.
+//! They get the true state and return the readings. They do not know how these are used.
 
 use crate::noise::{Purpose, Stream};
 use crate::plant::{State, rotation};
@@ -11,7 +11,7 @@ use std::collections::VecDeque;
 /// Quality of one sensor.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Quality {
-    /// A reading every so many control periods.
+    /// Number of control periods between two readings.
     pub every: usize,
     /// Delay of a reading, in control periods.
     pub delay: usize,
@@ -21,7 +21,7 @@ pub struct Quality {
     pub bias: f64,
     /// Probability that a reading is lost.
     pub lost: f64,
-    /// Probability that a reading is nonsense.
+    /// Probability that a reading is an outlier.
     pub nonsense: f64,
 }
 
@@ -40,12 +40,12 @@ pub struct Senses {
     pub vicon: Quality,
     /// Noise of Vicon's angles, rad.
     pub vicon_angles: f64,
-    /// When Vicon does not see the aircraft: from, to, s.
+    /// Intervals in which Vicon does not see the aircraft: start and end, s.
     pub outages: Vec<(f64, f64)>,
 }
 
 impl Senses {
-    /// Such as a small quadcopter carries, in a room with Vicon.
+    /// The quality of a small quadcopter's sensors, in a room with Vicon.
     pub fn usual() -> Self {
         let every = |every, delay, noise, bias| Quality {
             every,
@@ -84,7 +84,7 @@ impl Senses {
     }
 }
 
-/// A sensor that can stick: it then says what it said last, over and over.
+/// A sensor that can get stuck: it then repeats its last reading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stuck {
     /// The gyroscope.
@@ -109,12 +109,12 @@ pub struct Sensors {
     streams: [Stream; 4],
     last: Readings,
     before: State,
-    /// True if Vicon is covered, whatever the outages are.
+    /// True if Vicon is covered, independently of the outages.
     pub blind: bool,
 }
 
 impl Sensors {
-    /// The sensors under a seed.
+    /// Creates the sensors with a seed.
     pub fn new(senses: &Senses, seed: u64) -> Self {
         let purposes = [Purpose::Inertial, Purpose::Altimeter, Purpose::Camera, Purpose::Vicon];
         let mut streams = purposes.map(|purpose| Stream::new(seed, purpose));
@@ -182,7 +182,7 @@ impl Sensors {
         }
     }
 
-    /// The state as it was so many periods ago.
+    /// Returns the state some periods ago.
     fn earlier(&self, delay: usize) -> State {
         self.past.get(delay).or(self.past.back()).copied().unwrap_or_default()
     }
@@ -251,7 +251,7 @@ impl Sensors {
     }
 }
 
-/// Three values as a 16-bit sensor gives them.
+/// Converts three values to the counts of a 16-bit sensor.
 fn counts(values: &Vector3<f64>) -> [i16; 3] {
     [values.x, values.y, values.z].map(|value| value.round() as i16)
 }

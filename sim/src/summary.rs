@@ -1,9 +1,9 @@
-//! A flight's verdict as a table.
+//! The verdict on a flight, as a table.
 
 use crate::checks::Check;
 use std::fmt::Write as _;
 
-/// A Markdown table of checks, its columns padded so that it reads well on a terminal too.
+/// Formats a Markdown table of checks; its columns are padded for reading in a terminal.
 pub fn table(checks: &[Check]) -> String {
     let rows: Vec<[String; 4]> =
         std::iter::once(["figure", "value", "limit", ""].map(str::to_owned))

@@ -1,4 +1,4 @@
-//! A multicopter with any number of motors: what they do to it (thesis, §2.3).
+//! A multicopter with any number of motors: their forces and torques (thesis, §2.3).
 //!
 //! Knows forces and torques in the body frame, not motion.
 
@@ -29,7 +29,7 @@ pub struct Vehicle {
 }
 
 impl Vehicle {
-    /// The vehicle that an airframe describes, neighbours turning against each other.
+    /// Creates the vehicle of an airframe; neighbouring motors rotate in opposite directions.
     pub fn new(airframe: &Airframe) -> Self {
         let radius = airframe.propeller_radius;
         let pressure = airframe.air_density * airframe.disc_area * radius.powi(2);
@@ -49,7 +49,7 @@ impl Vehicle {
         }
     }
 
-    /// The Parrot Mambo.
+    /// Creates the Parrot Mambo.
     pub fn mambo() -> Self {
         Self::new(&Airframe::mambo())
     }

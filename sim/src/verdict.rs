@@ -1,6 +1,6 @@
-//! Verdict on a flight: it settled after each manoeuvre, resisted its gusts, and landed.
+//! Verdict on a flight: whether it settled after each manoeuvre, resisted gusts, and landed.
 //!
-//! Knows targets and where the aircraft was: not who flew it.
+//! Knows targets and the true state, but not the pilot.
 
 use crate::flight::{Flight, Step};
 use crate::mission::{Gust, Mission};
@@ -17,7 +17,7 @@ pub struct Tolerance {
     pub yaw: f64,
     /// Time for which the errors must stay within these limits, s.
     pub window: f64,
-    /// Fastest turn about another axis than that of a gust, while it blows, rad/s.
+    /// Fastest rotation about another axis than the gust's, during a gust, rad/s.
     pub cross_rate: f64,
 }
 
@@ -32,14 +32,14 @@ impl Default for Tolerance {
 pub struct Errors {
     /// Error of height, m.
     pub height: f64,
-    /// In the plane, m.
+    /// Distance from the target in the plane, m.
     pub place: f64,
     /// Error of yaw, rad.
     pub yaw: f64,
 }
 
 impl Errors {
-    /// The largest errors of the given steps.
+    /// Returns the largest errors of these steps.
     pub fn over<'a>(steps: impl Iterator<Item = &'a Step>) -> Self {
         steps.fold(Self::default(), |so_far, step| {
             let error = step.target.position - step.state.position;
@@ -52,7 +52,7 @@ impl Errors {
     }
 }
 
-/// The larger magnitude; what is not a number counts as infinite.
+/// Returns the larger magnitude; NaN counts as infinite.
 fn worst(so_far: f64, value: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { so_far.max(value.abs()) }
 }
@@ -60,11 +60,11 @@ fn worst(so_far: f64, value: f64) -> f64 {
 /// Errors just before the next manoeuvre.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settled {
-    /// The manoeuvre that was to settle.
+    /// The preceding manoeuvre.
     pub manoeuvre: &'static str,
-    /// The time by which it was to settle, s.
+    /// Time of the next manoeuvre, s.
     pub by: f64,
-    /// The largest errors over the window before that time.
+    /// Largest errors over the window before that time.
     pub errors: Errors,
 }
 
@@ -75,12 +75,12 @@ pub enum Fault {
     Unsettled(Settled),
     /// A gust about one axis turned the aircraft about another.
     Turned {
-        /// The gust.
+        /// Name of the gust.
         gust: &'static str,
         /// Rate about another axis, rad/s.
         rate: f64,
     },
-    /// The aircraft did not land where it was to land, or its motors still turn.
+    /// The aircraft did not land at the target, or its motors still run.
     NotLanded {
         /// Height at the end, m.
         height: f64,
@@ -111,7 +111,7 @@ impl fmt::Display for Fault {
     }
 }
 
-/// The errors that are left when the next manoeuvre begins, for every manoeuvre but the last.
+/// Returns the errors at the start of each manoeuvre but the first.
 pub fn settled(flight: &Flight, mission: &Mission, window: f64) -> Vec<Settled> {
     let pairs = mission.manoeuvres.windows(2);
     pairs
@@ -127,7 +127,7 @@ pub fn settled(flight: &Flight, mission: &Mission, window: f64) -> Vec<Settled> 
         .collect()
 }
 
-/// Everything that is wrong with a flight.
+/// Returns all faults of a flight.
 pub fn judge(flight: &Flight, mission: &Mission, tolerance: &Tolerance) -> Vec<Fault> {
     let mut faults: Vec<Fault> = settled(flight, mission, tolerance.window)
         .into_iter()
@@ -139,7 +139,7 @@ pub fn judge(flight: &Flight, mission: &Mission, tolerance: &Tolerance) -> Vec<F
     faults
 }
 
-/// Fastest turn about another axis than the gust's, while it blows, rad/s.
+/// Returns the fastest rotation about another axis than the gust's, during the gust, rad/s.
 pub fn cross_rate(flight: &Flight, gust: &Gust) -> f64 {
     let axis = gust.torque.normalize();
     let blowing = |step: &&Step| gust.begins <= step.time && step.time <= gust.ends();
@@ -179,9 +179,9 @@ pub struct Saturation {
     pub motor: usize,
     /// True at its upper limit, false at its lower.
     pub upper: bool,
-    /// The first time, s.
+    /// First time at the limit, s.
     pub first: f64,
-    /// Total number of control periods.
+    /// Number of control periods at the limit.
     pub periods: usize,
 }
 

@@ -1,7 +1,6 @@
-//! The whole onboard software flying a scenario: plant, motors, air, sensors, link; written down period
-//! by period.
+//! The whole onboard software flying a scenario: plant, motors, air, sensors and link, recorded period by period.
 //!
-//! Knows the computer only through its trait, and passes no judgement.
+//! Knows the computer only through its trait, and does not judge the flight.
 
 use crate::computer::Computer;
 use crate::ground_station::{GroundStation, Record};
@@ -11,10 +10,10 @@ use crate::world::World;
 use models::{Inputs, Outputs};
 use nalgebra::SVector;
 
-/// One control period, as it was flown.
+/// One control period of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moment {
-    /// Its beginning, from take-off on, s.
+    /// Start of the period, relative to take-off, s.
     pub time: f64,
     /// True state of the aircraft.
     pub state: State,
@@ -28,12 +27,12 @@ pub struct Moment {
     pub impact: f64,
 }
 
-/// A flight as it was flown.
+/// A recorded flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Voyage {
     /// Every control period, in order.
     pub moments: Vec<Moment>,
-    /// The records that came down.
+    /// Records received on the ground.
     pub records: Vec<Record>,
 }
 
@@ -47,8 +46,7 @@ pub fn fly(scenario: &Scenario, computer: &mut impl Computer) -> Voyage {
     Voyage { moments, records }
 }
 
-/// Flies a scenario and shows each period, with the computer as it is after it, until `seen` has seen
-/// enough.
+/// Flies a scenario; calls `seen` with each period and the computer after it, until it returns true.
 pub fn follow<C: Computer>(
     scenario: &Scenario,
     computer: &mut C,

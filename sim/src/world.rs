@@ -1,7 +1,7 @@
-//! The world around the onboard computer: aircraft, motors, air, sensors. It moves one control period at
-//! a time.
+//! The world around the onboard computer: aircraft, motors, air, sensors. It advances by one control period at a
+//! time.
 //!
-//! Knows no clock, no link and no scenario: whoever drives it says which period it is and what breaks.
+//! Knows no clock, no link and no scenario: the caller provides the period and the failures.
 
 use crate::air::{Air, Wind};
 use crate::motors::Motors;
@@ -12,19 +12,19 @@ use models::Airframe;
 use models::calibration::Readings;
 use nalgebra::{SVector, Vector3};
 
-/// Steps of the plant in a control period: the motors change within one.
+/// Number of plant steps in a control period, since the motors' speeds change during a period.
 const SUBSTEPS: usize = 2;
 
-/// The world.
+/// The simulated world.
 #[derive(Clone, Debug)]
 pub struct World {
     /// True state of the aircraft.
     pub state: State,
-    /// Its motors.
+    /// Motors of the aircraft.
     pub motors: Motors,
     /// The air.
     pub wind: Wind,
-    /// Its sensors.
+    /// Sensors of the aircraft.
     pub sensors: Sensors,
     vehicle: Vehicle,
     body: Body,
@@ -32,7 +32,7 @@ pub struct World {
 }
 
 impl World {
-    /// An aircraft with motors of the given time constant, s, that stands where `start` says, under a seed.
+    /// Creates a world with motors of time constant `lag`, s, and the aircraft in the state `start`, from a seed.
     pub fn new(airframe: &Airframe, lag: f64, start: State, period: f64, seed: u64) -> Self {
         let vehicle = Vehicle::new(airframe);
         Self {

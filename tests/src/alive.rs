@@ -1,8 +1,8 @@
-//! Memory that large temporaries need at once, computed independently from the data flow.
+//! Memory that large temporaries need at a time, computed independently by data-flow analysis.
 //!
-//! A value is alive from where it is written as a whole to the last read that may see it, backwards through the
-//! statements, loops until nothing changes. The compiler counts statements instead (`codegen/backend/src/passes/lend/`), and
-//! must come close to this. It must not use anything of that.
+//! A value is alive from its first complete write to the last read of it. The analysis goes backwards through the
+//! statements, and repeats loops until nothing changes. The compiler's result (`codegen/backend/src/passes/lend/`),
+//! which counts statements, must be close to this. This module must not use anything of that.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -48,7 +48,7 @@ pub fn lent(compiled: &Compiled) -> Vec<(String, u64, u64)> {
 
 struct Account<'a> {
     sizes: BTreeMap<LocalId, u64>,
-    /// Memory that each callee needs.
+    /// Memory for large temporaries that each callee needs.
     callees: &'a [u64],
     /// Sets alive after each surrounding loop, and at the start of its next pass.
     loops: Vec<(Alive, Alive)>,
@@ -62,7 +62,7 @@ impl Account<'_> {
         account.most
     }
 
-    /// Returns the set alive before a block, from the set behind it.
+    /// Returns the set alive before a block, from the set after it.
     fn block(&mut self, block: &Block, behind: Alive) -> Alive {
         block.0.iter().rev().fold(behind, |alive, stmt| self.stmt(stmt, alive))
     }
@@ -116,7 +116,7 @@ impl Account<'_> {
         }
     }
 
-    /// A statement that writes a local, while its operands may still be read.
+    /// Processes a statement that writes a local while its operands may still be read.
     fn writes(
         &mut self,
         to: LocalId,
@@ -157,7 +157,7 @@ fn without(mut alive: Alive, local: LocalId) -> Alive {
     alive
 }
 
-/// The locals that are read, or lent to a call.
+/// Returns the locals that are read, or passed to a call by reference.
 fn read(node: &impl Walk) -> Alive {
     struct Reads(Alive);
     impl Visit for Reads {
@@ -173,7 +173,7 @@ fn read(node: &impl Walk) -> Alive {
     reads.0
 }
 
-/// Size and alignment, as the usual ABIs have them.
+/// Returns size and alignment in the usual ABIs.
 fn size(module: &Module, ty: &Type) -> (u64, u64) {
     match ty {
         Type::Unit | Type::Slice(_) => (0, 1),

@@ -1,7 +1,7 @@
-//! A C program that makes many calls of functions of scalars in one run.
+//! A C program that makes many calls of scalar functions in one run.
 //!
-//! It reads the number of a function and its operands as words, and writes the status and the word of
-//! the result (0 after a fault), until its input ends.
+//! It reads the index of a function and its operands as words, and writes the status and the word of the result (0
+//! after a fault), until its input ends.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -123,7 +123,7 @@ fn put(ty: &Type) -> &'static str {
     }
 }
 
-/// From words to values and back.
+/// Conversions between words and values.
 const CONVERSIONS: &str = r"
 static int64_t to_int64(uint64_t word)
 {

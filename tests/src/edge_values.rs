@@ -1,15 +1,15 @@
-//! The values of each scalar type at which something may go wrong, as words.
+//! Edge values of each scalar type, as words.
 
 use bessemer_ir::{Float, Int, Scalar};
 
 /// Number of values for a function of several operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Breadth {
-    /// All there are: for one operand.
+    /// All values: for one operand.
     All,
-    /// Values of which all pairs are tested.
+    /// Fewer values, so that all pairs can be tested.
     Pairs,
-    /// Values of which all triples are tested.
+    /// Still fewer values, so that all triples can be tested.
     Triples,
 }
 

@@ -1,4 +1,4 @@
-//! Files of the repository that tests write: pages, and C that is to stay as it is.
+//! Files of the repository that tests write: pages, and C that should not change.
 //!
 //! Invariant: nothing is written without `UPDATE_DOCS`.
 
@@ -7,10 +7,11 @@ use std::path::Path;
 
 use crate::root;
 
-/// Returns true if a file, named from the root, has this text. With `UPDATE_DOCS` it has it afterwards.
+/// Returns true if a file, named from the root, has this text. With `UPDATE_DOCS`, writes the text first.
 ///
 /// # Panics
-/// If it is to be written and cannot be.
+///
+/// If the file cannot be written.
 pub fn holds(path: &Path, text: &str) -> bool {
     let full = root().join(path);
     if fs::read_to_string(&full).is_ok_and(|old| old == text) {

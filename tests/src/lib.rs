@@ -1,9 +1,8 @@
 //! The legs of every comparison. They are the model as rustc compiles it, the interpreter of its IR, and its C by each
 //! compiler on the host and on the emulated Cortex-A9.
 //!
-//! C runs as a process of its own, so no test needs `unsafe`: words go in and come out through pipes,
-//! and the target is one more program. What carries a model out is in `bessemer-legs`, which the
-//! simulation uses too.
+//! C runs in a separate process, with words through pipes, so no test needs `unsafe`, and the target is just another
+//! program. The legs are in `bessemer-legs`, which the simulation uses, too.
 
 pub mod alive;
 pub mod batch;
@@ -33,10 +32,11 @@ pub fn flight_models() -> &'static Compiled {
     COMPILED.get_or_init(|| compiled("models"))
 }
 
-/// The hard programs, compiled once for a test program.
+/// The corpus, compiled once for a test program.
 ///
 /// # Panics
-/// If they do not compile: no test can run then.
+///
+/// If it does not compile: no test can run then.
 pub fn corpus() -> &'static Compiled {
     static COMPILED: OnceLock<Compiled> = OnceLock::new();
     COMPILED.get_or_init(|| corpus_with(&Options::default()))
@@ -45,14 +45,15 @@ pub fn corpus() -> &'static Compiled {
 /// Compiles the corpus with options.
 ///
 /// # Panics
-/// If they do not compile.
+///
+/// If it does not compile.
 pub fn corpus_with(options: &Options) -> Compiled {
     let mut compiled = compiled_with("corpus", options);
     compiled.files.extend(brought());
     compiled
 }
 
-/// The C that the firmware would bring for the corpus' external functions.
+/// The C that firmware would provide for the corpus' external functions.
 fn brought() -> Vec<CFile> {
     let folder = root().join("tests/corpus/c");
     let entries = std::fs::read_dir(folder).expect("the folder of the C").flatten();

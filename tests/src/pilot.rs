@@ -1,4 +1,4 @@
-//! The flight's controller behind the simulation's own trait, whichever leg carries it out.
+//! The flight's controller on any leg, behind the simulation's trait.
 
 use bessemer_codegen::compile::Compiled;
 use bessemer_ir::FunctionId;
@@ -16,7 +16,7 @@ enum Leg<'m> {
     C(Box<Process>),
 }
 
-/// A pilot whose controller is the interpreter or a C process.
+/// A pilot whose controller runs in the interpreter or as C.
 pub struct Wired<'m> {
     leg: Leg<'m>,
     parameters: Vec<u64>,
@@ -24,15 +24,16 @@ pub struct Wired<'m> {
 }
 
 impl<'m> Wired<'m> {
-    /// The controller in the interpreter.
+    /// Creates a pilot with the controller in the interpreter.
     pub fn interpreted(compiled: &'m Compiled, entry: FunctionId, parameters: &Parameters) -> Self {
         let leg = Leg::Interpreter(Interpreted::new(&compiled.module, entry));
         Wired { leg, parameters: words(parameters), state: Vec::new() }
     }
 
-    /// The controller as C.
+    /// Creates a pilot with the controller as C.
     ///
     /// # Errors
+    ///
     /// An error of the compiler or of the system.
     pub fn c(
         compiled: &Compiled,

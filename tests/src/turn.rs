@@ -1,27 +1,26 @@
-//! Chooses what a run takes of a list that is dear to go through whole.
+//! Selects a part of a list that takes long to test completely.
 //!
-//! `cargo xtask test --full` goes through everything. A run without it takes turns: the commit gives a number, by
-//! which some of the list is chosen, so that a few commits go through all of it and one commit is always tested
-//! alike. Plain `cargo test` is turn 0.
+//! `cargo xtask test --full` tests all of it. Other runs alternate: the commit determines a number, which selects a
+//! part of the list, so that a few commits together test everything.
 
 use crate::toolchain::{self, Toolchain};
 
-/// Returns true if nothing may be left out.
+/// Returns true if a run must be complete.
 pub fn is_full() -> bool {
     std::env::var_os("BESSEMER_FULL").is_some()
 }
 
-/// `count` elements of the list, in their order, other ones at each turn; all of them in a full run.
+/// Returns `count` elements of the list in order, others in each turn; all in a full run.
 pub fn some_of<T>(list: Vec<T>, count: usize) -> Vec<T> {
     some_of_shifted(list, count, 0)
 }
 
-/// Returns a rotating subset, shifted: for lists of which each is to lack other elements.
+/// Returns a rotating subset, shifted by `by`, so that several lists omit different elements.
 pub fn some_of_shifted<T>(list: Vec<T>, count: usize, by: usize) -> Vec<T> {
     if is_full() { list } else { chosen(list, count, turn() + by) }
 }
 
-/// One element of the list; all of them in a full run.
+/// Returns one element of the list; all in a full run.
 pub fn one_of<T>(list: Vec<T>) -> Vec<T> {
     some_of(list, 1)
 }
@@ -43,12 +42,12 @@ pub fn levels(toolchains: Vec<Toolchain>) -> Vec<Toolchain> {
     compilers.into_iter().enumerate().flat_map(of_compiler).collect()
 }
 
-/// Machines beside the target, in a full run.
+/// Returns the other machines besides the target, in a full run.
 pub fn others() -> Vec<Toolchain> {
     if is_full() { toolchain::others() } else { Vec::new() }
 }
 
-/// The number that the commit gives.
+/// Returns the number derived from the commit.
 pub fn turn() -> usize {
     std::env::var("BESSEMER_TURN").ok().and_then(|turn| turn.parse().ok()).unwrap_or_default()
 }

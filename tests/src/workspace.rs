@@ -1,7 +1,7 @@
-//! A workspace of its own in a temporary folder, as a user outside this repository has one.
+//! A workspace in a temporary folder, such as a user outside this repository has.
 //!
-//! It takes this workspace's settings, lock file and target folder, and links to the DSL: only its models are built
-//! anew, and these only if the same was not built before. What it generates must not depend on where it lies.
+//! It uses this workspace's settings, lock file and target folder, and links to the DSL, so that only its models are
+//! built, and only if the same were not built before. The generated files must not depend on its path.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -17,12 +17,13 @@ use tempfile::TempDir;
 
 use crate::root;
 
-/// Settings of the package that is rebuilt often with small changes, and runs for a moment.
+/// Profile settings for a package that is rebuilt often with small changes, and whose program runs only briefly.
 const SETTINGS: &str = "[profile.dev.package.models]\nopt-level = 2\n";
-/// In place of it: with cargo's notes for the next build, which takes a third of the time then, even where a run goes without.
+/// Profile settings with cargo's incremental builds, for a workspace's own target folder. Later builds take a third of
+/// the time.
 const OWN_SETTINGS: &str = "[profile.dev.package.models]\nincremental = true\n";
 
-/// The folder of the package `models`: not that of this workspace's, or cargo would take it for that one.
+/// Folder of the package `models`. It differs from this workspace's, or cargo would take the two for one package.
 const FOLDER: &str = "controllers";
 
 /// Generated files by name.
@@ -32,9 +33,10 @@ pub type Files = BTreeMap<String, String>;
 pub struct Workspace(TempDir);
 
 impl Workspace {
-    /// With a copy of the flight models.
+    /// Creates a workspace with a copy of the flight models.
     ///
     /// # Errors
+    ///
     /// An error of the file system.
     pub fn with_flight_models() -> std::io::Result<Workspace> {
         let workspace = Workspace::bare()?;
@@ -42,9 +44,10 @@ impl Workspace {
         Ok(workspace)
     }
 
-    /// With one source file.
+    /// Creates a workspace with one source file.
     ///
     /// # Errors
+    ///
     /// An error of the file system.
     pub fn with_source(text: &str) -> std::io::Result<Workspace> {
         let workspace = Workspace::bare()?;
@@ -65,9 +68,11 @@ impl Workspace {
         fs::write(manifest, text.replace(OWN_SETTINGS, settings))
     }
 
-    /// Without a package yet: one whose folder is called so, or begins so, belongs to it.
+    /// Creates a workspace without a package; a package whose folder has this name, or begins with it, will belong to
+    /// it.
     ///
     /// # Errors
+    ///
     /// An error of the file system.
     pub fn for_package(name: &str) -> std::io::Result<Workspace> {
         let workspace = Workspace::bare()?;
@@ -85,7 +90,8 @@ impl Workspace {
         fs::write(self.folder().join("src/lib.rs"), text)
     }
 
-    /// Cargo takes a linked package for the one that the link leads to, by its path in the workspace, and builds it once.
+    /// Creates a workspace with links to the DSL. Cargo identifies a linked package with the original, and builds it
+    /// once.
     fn bare() -> std::io::Result<Workspace> {
         let root = root().canonicalize()?;
         let workspace = Workspace(tempfile::tempdir()?);
@@ -106,12 +112,12 @@ impl Workspace {
         Ok(workspace)
     }
 
-    /// The folder of its package.
+    /// Returns the folder of its package.
     pub fn folder(&self) -> PathBuf {
         self.path(FOLDER)
     }
 
-    /// A path in the workspace.
+    /// Returns a path in the workspace.
     pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
@@ -137,31 +143,34 @@ impl Workspace {
         Ok(())
     }
 
-    /// The job of generating its package.
+    /// Returns the job of generating its package.
     pub fn job(&self) -> Job {
         Job::new(self.path(""), "models")
     }
 
-    /// The tree of its package.
+    /// Returns the tree of its package.
     ///
     /// # Errors
+    ///
     /// See [`generate::Error`].
     pub fn tree(&self) -> Result<Tree, generate::Error> {
         trees::tree(&self.job(), &[self.folder()])
     }
 
-    /// The models, compiled.
+    /// Compiles its package.
     ///
     /// # Errors
-    /// What the generator or the compiler said.
+    ///
+    /// The message of the generator or the compiler.
     pub fn compiled(&self) -> Result<Compiled, String> {
         self.compiled_with(&compile::Options::default())
     }
 
-    /// Compiles the package with options.
+    /// Compiles its package with options.
     ///
     /// # Errors
-    /// What the generator or the compiler said.
+    ///
+    /// The message of the generator or the compiler.
     pub fn compiled_with(&self, options: &compile::Options) -> Result<Compiled, String> {
         let sources = Sources::new(self.path(""));
         let package = self.tree().map_err(|error| error.to_string())?.package;
@@ -169,9 +178,10 @@ impl Workspace {
             .map_err(|errors| diagnostic::render(&errors, &sources, false))
     }
 
-    /// Does a job of its package's.
+    /// Performs a job for its package.
     ///
     /// # Errors
+    ///
     /// See [`generate::Error`].
     pub fn perform(&self, job: &Job) -> Result<Summary, generate::Error> {
         let Made { compiled, remarks } = generate::compiled_from(job, &self.tree()?)?;
@@ -179,10 +189,11 @@ impl Workspace {
         Ok(Summary { compiled, changed, remarks })
     }
 
-    /// Generates with a tool that says it is of `version`; the folder's files.
+    /// Generates with a tool of `version`; returns the folder's files.
     ///
     /// # Errors
-    /// What the generator said.
+    ///
+    /// The message of the generator.
     pub fn generate(&self, version: &str) -> Result<Files, generate::Error> {
         let mut job = self.job();
         job.version = version.to_owned();
@@ -190,10 +201,11 @@ impl Workspace {
         self.generated()
     }
 
-    /// Does the same by a build of its own, even if the same was built before.
+    /// Generates with a separate build, even if a stored result exists.
     ///
     /// # Errors
-    /// What the generator said.
+    ///
+    /// The message of the generator.
     pub fn generate_anew(&self, version: &str) -> Result<Files, generate::Error> {
         let mut job = self.job();
         job.version = version.to_owned();

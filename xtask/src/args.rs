@@ -1,6 +1,6 @@
-//! The command line: what can be asked, and the help that teaches it.
+//! The command line: the commands, their arguments, and the help texts.
 //!
-//! Invariant: only data and help texts; nothing is done here.
+//! Invariant: only data and help texts; nothing is executed here.
 
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand};

@@ -1,4 +1,4 @@
-//! `cargo xtask bench` and `crates`: see to the tools, then hand over to the programs of the `bench` crate.
+//! `cargo xtask bench` and `crates`: checks the tools, then runs the programs of the `bench` crate.
 //!
 //! What it must not know: what is measured.
 
@@ -10,7 +10,7 @@ use crate::tools::{self, Machine, Need, Tool};
 use crate::{project, stages};
 use std::path::Path;
 
-/// The tools that a part needs; the others need Rust alone, or leave out what is not there.
+/// The tools that a part needs. The other parts need only Rust, or omit what is missing.
 fn needs(only: Option<&str>) -> &'static [Need] {
     match only {
         None | Some("kernels") => &[Need::Everything, Need::Host, Need::Target, Need::Bench],

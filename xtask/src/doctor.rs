@@ -1,6 +1,6 @@
-//! `cargo xtask doctor`: what is there, what is missing, and the one line that installs it.
+//! `cargo xtask doctor`: lists the tools found and missing, and the line that installs the missing ones.
 //!
-//! Invariants: it changes nothing; the texts are made by functions of the findings alone, and `run` only prints them.
+//! Invariants: it changes nothing; its texts depend only on the findings, and `run` only prints them.
 
 use crate::args::Doctor;
 use crate::error::{Error, Outcome};

@@ -10,13 +10,13 @@ use std::process::ExitStatus;
 /// Outcome of a command that ran to its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
-    /// Exit code 0.
+    /// Success: exit code 0.
     Good,
-    /// Exit code 1, with everything already said.
+    /// Failure: exit code 1; all messages have been printed.
     Bad,
 }
 
-/// Why a command could not do its work.
+/// Reason why a command failed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The command is planned but does not exist yet.
@@ -24,13 +24,13 @@ pub enum Error {
     NotYet {
         /// The command, as typed.
         command: &'static str,
-        /// The work that brings it.
+        /// The work that will add the command.
         with: &'static str,
     },
     /// Tools are missing, and installing was not requested.
     #[error("missing: {}", tools.join(", "))]
     Missing {
-        /// Their names.
+        /// Names of the missing tools.
         tools: Vec<&'static str>,
         /// The line that installs them; none if this system has no apt-get.
         line: Option<String>,
@@ -38,13 +38,13 @@ pub enum Error {
     /// Tools are still missing although the installation went through.
     #[error("installed, but still not usable: {}", tools.join(", "))]
     StillMissing {
-        /// Their names.
+        /// Names of the tools that are still missing.
         tools: Vec<&'static str>,
     },
     /// Installing needs rights that we have no way to get.
     #[error("cannot install {}: not root, and there is no sudo", tools.join(", "))]
     NoRights {
-        /// Their names.
+        /// Names of the missing tools.
         tools: Vec<&'static str>,
         /// The line to run as root.
         line: String,
@@ -57,7 +57,7 @@ pub enum Error {
         /// Exit status.
         status: ExitStatus,
     },
-    /// The compiler or its lints warned of something; it has been printed.
+    /// The compiler or its lints reported warnings, which have been printed.
     #[error("{count} {} of the compiler or its lints: each is an error here", if *count == 1 { "warning" } else { "warnings" })]
     Lints {
         /// Number of failures.
@@ -76,7 +76,7 @@ pub enum Error {
     /// The generator could not do its work.
     #[error(transparent)]
     Generate(#[from] bessemer_project::Error),
-    /// A patch of a mutant does not say what it should.
+    /// A mutant's patch has no valid header.
     #[error("{}: {problem}", file.display())]
     Mutant {
         /// The patch.
@@ -87,23 +87,23 @@ pub enum Error {
     /// There is no mutant of this name.
     #[error("there is no mutant `{name}`")]
     NoMutant {
-        /// As it was requested.
+        /// The requested name.
         name: String,
-        /// Those that there are.
+        /// The existing names.
         known: Vec<String>,
     },
-    /// There is no such turn.
+    /// The requested turn is out of range.
     #[error("there is no turn {turn} of {of}")]
     NoTurn {
-        /// As it was requested.
+        /// The requested turn.
         turn: usize,
         /// Total number.
         of: usize,
     },
-    /// Another run has what this one needs for itself.
+    /// Another run uses a folder that this one needs exclusively.
     #[error("another run is at work in {}", folder.display())]
     Busy {
-        /// The folder that it has.
+        /// The folder in use.
         folder: PathBuf,
     },
     /// The command needs the work tree of a git repository, and there is none.
@@ -120,10 +120,10 @@ pub enum Error {
         /// The system's reason.
         source: std::io::Error,
     },
-    /// The book is requested without the tool that makes it.
+    /// The book was requested without mdBook, which builds it.
     #[error("mdBook is missing, which makes the pages")]
     NoBookTool,
-    /// A program could not be started or listened to.
+    /// A program could not be started, or its output not read.
     #[error("cannot run `{program}`: {source}")]
     Spawn {
         /// The program.
@@ -164,7 +164,7 @@ impl Error {
         }
     }
 
-    /// The exit code: 2 for what does not exist (as for a mistyped command), 1 for the rest.
+    /// Returns the exit code: 2 for a command that does not exist (as for a mistyped one), 1 otherwise.
     #[must_use]
     pub fn code(&self) -> u8 {
         match self {
@@ -173,7 +173,7 @@ impl Error {
         }
     }
 
-    /// Says it on standard error, coloured on a terminal.
+    /// Prints the error on standard error, in colour on a terminal.
     pub fn print(&self) {
         let red = Style::new().bold().fg_color(Some(AnsiColor::Red.into()));
         let cyan = Style::new().bold().fg_color(Some(AnsiColor::Cyan.into()));

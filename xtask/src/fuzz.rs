@@ -1,4 +1,4 @@
-//! `cargo xtask fuzz`: builds the tests across the crates, and has them run as many random programs as are requested.
+//! `cargo xtask fuzz`: builds the tests across the crates, and lets them run as many random programs as requested.
 //!
 //! What it must not know: what a program is, and what is compared.
 
@@ -9,10 +9,10 @@ use crate::runner::Program;
 use crate::stages::{self, Progress};
 use std::path::Path;
 
-/// The test that takes as many programs as it is reported to.
+/// The test that runs a requested number of programs.
 const TEST: &str = "random::fuzz::as_many_as_asked";
 
-/// The compiler runs for hours: it is worth optimising.
+/// Cargo options that optimise the compiler, since it runs for hours.
 const OPTIMISED: [&str; 2] = [
     "profile.dev.package.bessemer-frontend.opt-level=2",
     "profile.dev.package.bessemer-backend.opt-level=2",

@@ -1,8 +1,8 @@
-//! `cargo xtask gen`: what `cargo bessemer gen` does, for this repository's models.
+//! `cargo xtask gen`: `cargo bessemer gen` for this repository's models.
 //!
-//! Invariant: the one place that calls it. (`gen` is a reserved word, hence the module's name.)
+//! Invariant: this is the only caller. (`gen` is a reserved word, hence the module's name.)
 //!
-//! What it must not know: how C is made.
+//! What it must not know: how C is generated.
 
 use crate::args::{Gen, MessageFormat, Mode};
 use crate::error::{Error, Outcome};

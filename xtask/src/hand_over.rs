@@ -1,8 +1,8 @@
-//! `cargo xtask sim`, `identify`, `campaign`, `fly` and `replay`: hand over to the programs of `sim/program` and `ground`.
+//! `cargo xtask sim`, `identify`, `campaign`, `fly` and `replay`: run the programs of `sim/program` and `ground`.
 //!
-//! Invariant: it is a program of its own, so that a fault in a model never keeps xtask from building; and it
-//! is built with optimisation, so that a flight takes a moment. Its command lines are those of `sim-args`, so that help and
-//! what is mistyped need no build.
+//! Invariant: these are separate programs, so that an error in a model never prevents building xtask, and they are
+//! optimised, so that a flight is fast. The command lines are in `sim-args` and `ground-args`, so that help and
+//! reports of mistakes need no build.
 //!
 //! What it must not know: the plant, the flights' contents, the page.
 

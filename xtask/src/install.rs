@@ -17,18 +17,18 @@ use crate::tools::{self, Machine, Source, Tool};
 use std::process::{Command, ExitStatus};
 use std::thread::JoinHandle;
 
-/// Ways to get root's rights.
+/// Ways to run commands as root.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Rights {
-    /// We are root.
+    /// This process is root.
     Root,
-    /// Through sudo.
+    /// By sudo.
     Sudo,
-    /// There is no way; the user has to become root.
+    /// There is no way; the user must become root.
     None,
 }
 
-/// A plan of what has to be installed, and how.
+/// A plan of the commands that install missing tools.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Plan {
     components: Vec<&'static str>,
@@ -65,7 +65,7 @@ impl Plan {
         (possible && needed).then(|| Self { components, packages, python, rights: rights(machine) })
     }
 
-    /// The one line that does it, for a shell.
+    /// Returns the line that installs the tools, for a shell.
     #[must_use]
     pub fn line(&self) -> String {
         let joined = |steps: &[Step]| {
@@ -81,18 +81,21 @@ impl Plan {
         parts.collect::<Vec<_>>().join(" && ")
     }
 
-    /// Carries it out.
+    /// Executes the plan.
     ///
     /// # Errors
-    /// [`Error::NoRights`] before anything is touched, [`Error::Install`] at the first step that fails.
+    ///
+    /// [`Error::NoRights`] before anything is changed, [`Error::Install`] at the first step that fails.
     pub fn carry_out(&self, tools: &[&'static Tool], progress: &mut Progress) -> Result<(), Error> {
         self.begin(tools, "")?;
         self.steps().iter().try_for_each(|step| self.run(step, progress))
     }
 
-    /// Begins to carry it out, beside what follows; all of it now where a build needs a part, or a password is requested.
+    /// Starts to execute the plan while other work goes on. Executes it at once if a build needs a part of it, or a
+    /// password is requested.
     ///
     /// # Errors
+    ///
     /// Those of [`carry_out`](Self::carry_out).
     pub fn start(
         self,
@@ -112,7 +115,7 @@ impl Plan {
         Ok(Some(Installation(std::thread::spawn(work))))
     }
 
-    /// Says what is installed, if it can be.
+    /// Prints which tools are installed, if that is possible.
     fn begin(&self, tools: &[&'static Tool], how: &str) -> Result<(), Error> {
         let tools: Vec<_> = tools.iter().map(|tool| tool.name).collect();
         if self.rights == Rights::None && !self.packages.is_empty() {
@@ -122,7 +125,8 @@ impl Plan {
         Ok(())
     }
 
-    /// Sudo may request a password, so it gets the terminal for itself; the rest runs behind the progress line.
+    /// Runs a step. Sudo may request a password, so it uses the terminal directly; other commands run behind the
+    /// progress line.
     fn run(&self, step: &Step, progress: &mut Progress) -> Result<(), Error> {
         let Some((program, arguments)) = step.words.split_first() else {
             return Ok(());
@@ -167,12 +171,12 @@ impl Plan {
     }
 }
 
-/// An installation that goes on beside other work.
+/// An installation that runs concurrently with other work.
 #[derive(Debug)]
 pub struct Installation(JoinHandle<Result<Progress, Error>>);
 
 impl Installation {
-    /// Waits for its end.
+    /// Waits for the end of the installation.
     ///
     /// # Errors
     /// [`Error::Install`] or [`Error::Spawn`] if a step failed.

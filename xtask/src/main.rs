@@ -1,6 +1,6 @@
-//! Entry of `cargo xtask`: reads the arguments, hands over, turns the outcome into an exit code.
+//! Entry of `cargo xtask`: parses the arguments, runs the command, and converts its outcome to an exit code.
 //!
-//! Invariant: no decision is taken here; everything else is in the library, where tests reach it.
+//! Invariant: no decisions are made here; everything else is in the library, where tests reach it.
 
 use std::process::ExitCode;
 

@@ -8,9 +8,9 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The root of the workspace: the folder above this crate.
+/// Returns the root of the workspace: the folder above this crate.
 ///
-/// Cargo's word at run time comes first, so that a checkout may be moved without a rebuild.
+/// The value of cargo at run time has priority, so that a checkout can be moved without a rebuild.
 #[must_use]
 pub fn root() -> PathBuf {
     let here = std::env::var_os("CARGO_MANIFEST_DIR")
@@ -18,7 +18,7 @@ pub fn root() -> PathBuf {
     here.parent().map_or_else(|| here.clone(), Path::to_path_buf)
 }
 
-/// The cargo that started us, to be run in `root`.
+/// Returns a call of the cargo that started this program, in `root`.
 #[must_use]
 pub fn cargo(root: &Path, arguments: &[&str]) -> Command {
     let program = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
@@ -32,8 +32,8 @@ pub fn cargo(root: &Path, arguments: &[&str]) -> Command {
     command
 }
 
-/// Makes cargo build the workspace's packages with the compiler that lints. What it has checked it also builds; `cargo
-/// clippy` would check everything a second time beside the build.
+/// Makes cargo build the workspace's packages with the compiler that also lints. `cargo clippy` would check
+/// everything a second time, separately from the build.
 pub fn lint(cargo: &mut Command) -> &mut Command {
     cargo.env("RUSTC_WORKSPACE_WRAPPER", "clippy-driver")
 }

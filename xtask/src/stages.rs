@@ -1,10 +1,11 @@
-//! Stages with a name, a moving line while they run, and their time when they are over.
+//! Stages with a name, a progress line while they run, and their duration at the end.
 //!
 //! Invariants:
-//! - everything goes to standard error; standard output belongs to results;
-//! - off a terminal a stage is two plain lines, its start and its end;
-//! - what a captured program printed is shown in full if it fails, and not at all if it succeeds;
-//! - a program that is attached has the terminal for itself: no moving line beside it.
+//!
+//! * everything is printed on standard error; standard output is for results;
+//! * without a terminal a stage is two plain lines, its start and its end;
+//! * the output of a captured program is shown completely if it fails, and not at all if it succeeds;
+//! * while an attached program uses the terminal, there is no progress line.
 //!
 //! What it must not know: which stages there are.
 
@@ -33,22 +34,23 @@ impl Default for Progress {
 }
 
 impl Progress {
-    /// For work beside other work: only what failed is reported.
+    /// For concurrent work: only failures are reported.
     #[must_use]
     pub fn silent() -> Self {
         Self { moving: false, silent: true, done: Vec::new() }
     }
 
-    /// Tells how long each stage took that ended beside the others.
+    /// Prints the durations of the stages that finished concurrently.
     pub fn done_beside(&self, other: &Self) {
         for (name, time) in other.done() {
             anstream::eprintln!("{GREEN}{name}{GREEN:#} ok, {} beside the build", seconds(*time));
         }
     }
 
-    /// A stage whose programs are captured; `work` gets a voice for the moving line.
+    /// Runs a stage whose programs' output is captured; `work` gets a handle for the progress line.
     ///
     /// # Errors
+    ///
     /// Those of `work`.
     pub fn closed<T>(
         &mut self,
@@ -64,6 +66,7 @@ impl Progress {
     /// Runs work that reports its own end.
     ///
     /// # Errors
+    ///
     /// Those of `work`.
     pub fn moving<T>(
         &self,
@@ -79,9 +82,10 @@ impl Progress {
         outcome
     }
 
-    /// A stage whose programs have the terminal for themselves.
+    /// Runs a stage whose programs use the terminal directly.
     ///
     /// # Errors
+    ///
     /// Those of `work`.
     pub fn open<T>(
         &mut self,
@@ -95,7 +99,7 @@ impl Progress {
         outcome
     }
 
-    /// The stages that went through, with their times.
+    /// Returns the finished stages with their durations.
     #[must_use]
     pub fn done(&self) -> &[(String, Duration)] {
         &self.done
@@ -112,7 +116,7 @@ impl Progress {
     }
 }
 
-/// The moving line of a stage.
+/// Handle for the progress line of a stage.
 #[derive(Debug)]
 pub struct Voice {
     bar: ProgressBar,
@@ -134,35 +138,37 @@ impl Voice {
         Self { bar }
     }
 
-    /// One that nobody hears.
+    /// A handle without output.
     #[must_use]
     pub fn hidden() -> Self {
         Self { bar: ProgressBar::hidden() }
     }
 
-    /// Shows the last thing that happened.
+    /// Shows a line on the progress line.
     pub fn say(&self, line: &str) {
         let plain = anstream::adapter::strip_str(line).to_string();
         self.bar.set_message(plain.trim().to_owned());
     }
 
-    /// Prints lines that stay, above the moving one.
+    /// Prints permanent lines above the progress line.
     pub fn print(&self, lines: &str) {
         self.bar.suspend(|| anstream::eprintln!("{lines}"));
     }
 }
 
-/// Runs the program with the terminal for itself.
+/// Runs a program that uses the terminal directly.
 ///
 /// # Errors
+///
 /// [`Error::Spawn`] if it does not start.
 pub fn attached(command: &mut Command) -> Result<ExitStatus, Error> {
     command.status().map_err(|source| spawn_error(command, source))
 }
 
-/// Runs the program with both its outputs captured, its last line on the moving line. If it fails, prints them.
+/// Runs a program with captured output, whose last line is on the progress line. If it fails, prints its output.
 ///
 /// # Errors
+///
 /// [`Error::Spawn`] if it does not start.
 pub fn captured(command: &mut Command, voice: &Voice) -> Result<ExitStatus, Error> {
     let (status, heard) = heard(command, voice)?;
@@ -172,9 +178,10 @@ pub fn captured(command: &mut Command, voice: &Voice) -> Result<ExitStatus, Erro
     Ok(status)
 }
 
-/// Runs the program with its errors on the moving line; gives its standard output. If it fails, prints its errors.
+/// Runs a program with its errors on the progress line; returns its standard output. If it fails, prints its errors.
 ///
 /// # Errors
+///
 /// [`Error::Spawn`] if it does not start.
 pub fn answered(command: &mut Command, voice: &Voice) -> Result<(ExitStatus, String), Error> {
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -210,9 +217,10 @@ fn heard(command: &mut Command, voice: &Voice) -> Result<(ExitStatus, Vec<String
     Ok((status, heard))
 }
 
-/// Starts the program and listens to both its outputs; the lines end when it has closed them.
+/// Starts a program; returns a receiver of the lines of both its outputs, which ends when the program closes them.
 ///
 /// # Errors
+///
 /// [`Error::Spawn`] if it does not start.
 pub fn started(command: &mut Command) -> Result<(Child, Receiver<String>), Error> {
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -223,7 +231,7 @@ pub fn started(command: &mut Command) -> Result<(Child, Receiver<String>), Error
     Ok((child, lines))
 }
 
-/// Sends the stream's lines, from a thread of its own, until the stream ends.
+/// Sends the stream's lines from a thread until the stream ends.
 fn listen(stream: Option<impl Read + Send + 'static>, sender: Sender<String>) {
     let Some(stream) = stream else { return };
     std::thread::spawn(move || {
@@ -239,7 +247,7 @@ fn listen(stream: Option<impl Read + Send + 'static>, sender: Sender<String>) {
     });
 }
 
-/// That a program could not be started or listened to.
+/// The error for a program that could not be started, or whose output could not be read.
 #[must_use]
 pub fn spawn_error(command: &Command, source: std::io::Error) -> Error {
     Error::Spawn { program: command.get_program().to_string_lossy().into_owned(), source }

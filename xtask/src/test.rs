@@ -27,19 +27,19 @@ use std::process::{Command, ExitStatus};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// File with the times of a run, which order the tests, select some of them and show growth.
+/// File with the times of a stored run, which determine the order of tests, the selection of a quick run, and growth.
 const TIMES: &str = "xtask/times.tsv";
 
-/// A quick run leaves out the tests that used more of the processors in the stored run.
+/// Processor time above which a quick run omits a test.
 const QUICK: Duration = Duration::from_secs(1);
 
-/// Features of the ground station, each with a test of its name: long to build.
+/// Features of the ground station, each with a test of its name; they take long to build.
 const TOOLS: &str = "foxglove,mavlink";
 
 /// The stage in which the workspace is linted and built at once.
 const BUILD: &str = "lints and build of the tests";
 
-/// Name of the whole run among the stored times, by processor time.
+/// Name of the entry for the whole run among the stored times; it is processor time.
 const ALL: &str = "processors in all";
 
 /// Number of mutants that a run tries.
@@ -154,8 +154,8 @@ fn programs(
     Ok((programs, documented))
 }
 
-/// The packages of the workspace whose manifests do not say that their documentation has no examples. Cargo would read all
-/// of them for examples, when nothing else is requested.
+/// Returns the packages of the workspace whose documentation has examples. The others say so in their manifests, so
+/// that cargo does not search them.
 fn documented(messages: &str) -> BTreeSet<String> {
     let messages = messages.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
     let own = |message: &Value| {
@@ -175,12 +175,12 @@ fn said(messages: &str) -> Vec<String> {
     said.filter(|said| seen.insert(said.clone())).collect()
 }
 
-/// The ways to break the compiler on purpose whose turn it is.
+/// Prepares the mutants that are due in this run.
 fn trials(root: &Path) -> Result<mutate::Trials, Error> {
     mutate::Trials::of(root, &mutate::by_turn(root, turn(root), MUTANTS)?)
 }
 
-/// Breaks the compiler, and sees whether the tests tell.
+/// Tries the mutants of a share, and reports whether the tests detect them.
 fn mutants(trials: &mutate::Trials, share: Share, voice: &stages::Voice) -> Result<Done, Error> {
     let start = Instant::now();
     let fates = trials.run(share, &Progress::silent(), &|line| voice.print(line))?;
@@ -219,7 +219,7 @@ fn store(root: &Path, times: &Times) -> Result<(), Error> {
     std::fs::write(&path, times.text()).map_err(|source| Error::File { path, source })
 }
 
-/// Prints times, growth and failures; the summary last.
+/// Prints times, growth and failures, and then the summary.
 fn report(
     progress: &Progress,
     done: &[Done],
@@ -261,7 +261,8 @@ fn environment(root: &Path, wanted: &Test) -> Vec<(&'static str, String)> {
     list
 }
 
-/// A number that the commit chooses, so that commits take turns and one commit is always tested alike.
+/// Returns a number derived from the commit, so that commits alternate, and a commit is always tested in the same
+/// way.
 fn turn(root: &Path) -> u32 {
     let mut git = Command::new("git");
     let output = git.args(["rev-parse", "--short=7", "HEAD"]).current_dir(root).output();
@@ -318,7 +319,7 @@ fn names(tools: &[&'static Tool]) -> Vec<&'static str> {
     tools.iter().map(|tool| tool.name).collect()
 }
 
-/// A stage that says nothing unless it fails.
+/// Runs a stage without output unless it fails.
 fn check(
     progress: &mut Progress,
     stage: &'static str,

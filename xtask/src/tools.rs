@@ -15,22 +15,22 @@ use std::process::{Command, Stdio};
 /// The commands that need the tool.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Need {
-    /// Everything, `gen` included.
+    /// All commands, including `gen`.
     Everything,
     /// `test`, with and without `--host`.
     Host,
-    /// `test` without `--host`: what runs on the emulated target.
+    /// `test` without `--host`: tools for the emulated target.
     Target,
-    /// `test` without `--host`: what somebody else's tools make of the emitted C.
+    /// `test` without `--host`: analysers of the emitted C.
     Analysis,
-    /// `test --full`, beside what `test` needs: further machines, emulated.
+    /// `test --full`, in addition to the tools of `test`: further emulated machines.
     Full,
-    /// `bench`, beside what `test` needs: the peers, and what counts instructions.
+    /// `bench`, in addition to the tools of `test`: other contenders, and instruction counters.
     Bench,
 }
 
 impl Need {
-    /// As the user reads it.
+    /// Returns the text for users.
     #[must_use]
     pub fn text(self) -> &'static str {
         match self {
@@ -56,11 +56,11 @@ pub enum Probe {
     File(&'static str),
     /// The system's Python finds the module.
     Module(&'static str),
-    /// The environment below `target` has the module, of the version that is pinned.
+    /// The environment below `target` has the module in the pinned version.
     Environment {
-        /// As it is imported.
+        /// Name of the module for `import`.
         module: &'static str,
-        /// As pip installs it: `name==version`.
+        /// Requirement for pip: `name==version`.
         requirement: &'static str,
     },
 }
@@ -74,16 +74,16 @@ pub enum Source {
     Component(&'static str),
     /// A Debian package.
     Package(&'static str),
-    /// A package of Python's, in an environment of this project's own: [`python`].
+    /// A Python package, in the project's own environment: [`python`].
     Python(&'static str),
 }
 
 /// A tool.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Tool {
-    /// Its name, as the user knows it.
+    /// Name of the tool for users.
     pub name: &'static str,
-    /// Its purpose.
+    /// Purpose of the tool.
     pub purpose: &'static str,
     /// The commands that need it.
     pub need: Need,
@@ -93,20 +93,20 @@ pub struct Tool {
     pub source: Source,
 }
 
-/// A program of Debian's, by its first package.
+/// Describes a program from Debian, by its first package.
 const fn program(program: Program, purpose: &'static str, need: Need) -> Tool {
     let source = Source::Package(program.packages[0]);
     Tool { name: program.name, purpose, need, probe: Probe::Version(program.name), source }
 }
 
-/// Describes the headers without which a compiler does not work, by its second package.
+/// Describes the headers that a compiler needs, by its second package.
 const fn headers(name: &'static str, compiler: Program, need: Need) -> Tool {
     let source = Source::Package(compiler.packages[1]);
     let purpose = "headers and libraries for the above";
     Tool { name, purpose, need, probe: Probe::Headers(compiler.name), source }
 }
 
-/// A package of Python's, of a pinned version.
+/// Describes a Python package of a pinned version.
 const fn package(
     name: &'static str,
     purpose: &'static str,
@@ -118,7 +118,7 @@ const fn package(
     Tool { name, purpose, need, probe, source: Source::Python(requirement) }
 }
 
-/// Every tool that some command needs, in the order in which they are listed.
+/// Every tool that a command needs, in the order of the list.
 pub const TOOLS: &[Tool] = &[
     Tool {
         name: "rustc",
@@ -284,7 +284,7 @@ pub const TOOLS: &[Tool] = &[
     },
 ];
 
-/// Every package of Python's, as pip installs it.
+/// Returns every Python package as a requirement for pip.
 pub fn requirements() -> impl Iterator<Item = &'static str> {
     TOOLS.iter().filter_map(|tool| match tool.source {
         Source::Python(requirement) => Some(requirement),
@@ -298,9 +298,9 @@ pub fn python() -> PathBuf {
     project::root().join("target/python")
 }
 
-/// The questions that commands may ask the machine that they run on.
+/// Properties of the machine that runs the commands.
 pub trait Machine {
-    /// The program's answer to `--version`; none if it is absent or does not work.
+    /// Returns the program's answer to `--version`; `None` if it is missing or does not work.
     fn version(&self, program: &str) -> Option<String>;
     /// Returns true if the compiler can preprocess a file that includes headers of the C library.
     fn finds_headers(&self, compiler: &str) -> bool;
@@ -327,7 +327,7 @@ pub trait Machine {
     }
 }
 
-/// The machine that this program runs on.
+/// The machine that runs this program.
 #[derive(Debug, Clone, Copy)]
 pub struct ThisMachine;
 
@@ -356,36 +356,36 @@ impl Machine for ThisMachine {
     }
 }
 
-/// The output of the command, if it starts and succeeds.
+/// Returns the output of a command, if it succeeds.
 fn answer(command: &mut Command) -> Option<String> {
     let output = command.stdin(Stdio::null()).stderr(Stdio::null()).output().ok()?;
     output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
-/// The finding about one tool.
+/// Result of looking for a tool.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
     /// The tool.
     pub tool: &'static Tool,
-    /// Its version, or `found` for what has none; none if it is missing.
+    /// Version of the tool, or `found` if it has none; `None` if it is missing.
     pub found: Option<String>,
 }
 
 impl Finding {
-    /// Returns true if the tool is not there.
+    /// Returns true if the tool is missing.
     #[must_use]
     pub fn is_missing(&self) -> bool {
         self.found.is_none()
     }
 }
 
-/// Looks every tool up.
+/// Looks for every tool.
 #[must_use]
 pub fn survey(machine: &dyn Machine) -> Vec<Finding> {
     TOOLS.iter().map(|tool| find(tool, machine)).collect()
 }
 
-/// Looks a tool up.
+/// Looks for a tool.
 #[must_use]
 pub fn find(tool: &'static Tool, machine: &dyn Machine) -> Finding {
     let there = |found: bool| found.then(|| "found".to_owned());
@@ -402,7 +402,7 @@ pub fn find(tool: &'static Tool, machine: &dyn Machine) -> Finding {
     Finding { tool, found }
 }
 
-/// The tools that are missing for the needs given.
+/// Returns the missing tools for these needs.
 #[must_use]
 pub fn missing(findings: &[Finding], needs: &[Need]) -> Vec<&'static Tool> {
     let wanted = |finding: &&Finding| finding.is_missing() && needs.contains(&finding.tool.need);

@@ -16,12 +16,12 @@ use points::{Points, SEQUENCES};
 use rug::Float;
 use subjects::{Of, SUBJECTS, Subject};
 
-/// Enough for a correctly rounded reference to within 2⁻⁷⁰ ulp.
+/// Precision of the reference, in bits: enough for a correctly rounded result to within 2⁻⁷⁰ ulp.
 const PRECISION: u32 = 128;
-/// Points kept for the tests: the worst and others, for each function.
+/// Number of points kept for the tests for each function: the worst, and others.
 const KEPT: usize = 24;
 
-/// A point and how far off the function was there.
+/// A point and the error of the function there.
 #[derive(Clone, Copy, Debug, Default)]
 struct Finding {
     ulp: f64,
@@ -36,7 +36,7 @@ struct Findings {
     points: u64,
 }
 
-/// The true value.
+/// The true value of a function.
 fn truth(subject: &Subject, x: f64, y: f64) -> Float {
     let mut value = Float::with_val(PRECISION, x);
     match subject.truth {
@@ -46,7 +46,7 @@ fn truth(subject: &Subject, x: f64, y: f64) -> Float {
     value
 }
 
-/// The error of `value`, of a format with `digits` bits and least exponent `least`.
+/// The error of `value` in ulp, for a format with `digits` bits and the lowest exponent `least`.
 fn error(value: f64, truth: &Float, digits: i32, least: i32, largest: f64) -> f64 {
     if value.is_nan() || truth.is_nan() {
         return if value.is_nan() && truth.is_nan() { 0.0 } else { f64::INFINITY };
@@ -124,7 +124,7 @@ fn argument(subject: &Subject, found: &Finding, single: bool) -> String {
     }
 }
 
-/// Each point kept, by bits: name, arguments, the true value rounded, and what that leaves out in ulp.
+/// Lists each point kept, as bits: name, arguments, the true value rounded, and its rounding error in ulp.
 fn reference(subject: &Subject, findings: &Findings, text: &mut String) {
     let mut points = Points::new(99);
     let more: Vec<(f64, f64)> =

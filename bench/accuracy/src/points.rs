@@ -1,10 +1,10 @@
-//! Points at which the functions are measured: easy points, every magnitude, and the hard cases.
+//! Points at which the functions are measured: typical points, every magnitude, and difficult cases.
 //!
-//! Needs no more than the standard library: `bench` compares the bits of every leg on the same points.
+//! Uses only the standard library, since `bench` compares the bits of every leg on the same points.
 
-/// A function and where its arguments lie.
+/// A function and the range of its arguments.
 pub struct Domain {
-    /// The Rust name in double precision.
+    /// Name of the function in Rust, in double precision.
     pub name: &'static str,
     /// Range of most points, for each argument.
     pub range: [(f64, f64); 2],
@@ -59,7 +59,7 @@ pub struct Points {
     state: u64,
 }
 
-/// π/2: 64 bits before the point, 256 behind it.
+/// π/2 in fixed point: 64 integer bits, 256 fractional bits.
 const HALF_PI: [u64; 5] =
     [1, 0x921f_b544_42d1_8469, 0x898c_c517_01b8_39a2, 0x5204_9c11_14cf_98e8, 0x0417_7d4c_7627_3644];
 
@@ -85,7 +85,7 @@ fn quarter_turns(turns: u64) -> f64 {
     top as f64 * 2f64.powi(places)
 }
 
-/// Worth a look in every function.
+/// Special points for every function.
 const SPECIAL: &[f64] = &[
     0.0,
     -0.0,
@@ -126,7 +126,7 @@ impl Points {
         Points { state: seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x1234_5678 }
     }
 
-    /// Splitmix64.
+    /// The next 64 random bits (SplitMix64).
     fn word(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.state;
@@ -143,7 +143,7 @@ impl Points {
         low + (high - low) * self.unit()
     }
 
-    /// Any bits; half the time within the range of a float.
+    /// A double with random bits; half of them in the range of `f32`.
     fn anywhere(&mut self) -> f64 {
         if self.word() & 1 == 0 {
             f64::from_bits(self.word())
@@ -158,7 +158,7 @@ impl Points {
         sign * self.between(1.0, 2.0) * 2f64.powi(exponent)
     }
 
-    /// A double next to a multiple of π/2.
+    /// A double near a multiple of π/2.
     fn near_quarter_turn(&mut self) -> f64 {
         let bits = 1 + (self.word() % 62) as u32;
         let turns = self.word() >> (64 - bits);
@@ -181,7 +181,7 @@ impl Points {
         }
     }
 
-    /// The point of this index.
+    /// Returns the point with this index.
     pub fn next(&mut self, domain: &Domain, index: u64) -> (f64, f64) {
         let specials = SPECIAL.len() as u64;
         if index < specials * specials {

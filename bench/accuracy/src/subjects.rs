@@ -1,4 +1,4 @@
-//! The functions, and the truth of each.
+//! The measured functions, and their true values by MPFR.
 
 use bessemer::math::{
     arctangent, exponential, hyperbolic, logarithm, power, roots, sine, single, tangent,

@@ -1,14 +1,14 @@
-//! The numbers, equal to in `bench/c/harness.c`: xorshift64*, the highest 53 or 24 bits.
+//! The numbers of the cases, the same as those of `bench/c/harness.c`: xorshift64*, the highest 53 or 24 bits.
 
-/// A float that cases are made for.
+/// A float type for which cases are generated.
 pub trait Element: nalgebra::RealField + Copy {
-    /// `f64`.
+    /// Name of the type: `f64`.
     const NAME: &'static str;
-    /// A number in [0, 1), cut to the type's own bits.
+    /// Converts a number in [0, 1), truncated to the type's precision.
     fn cut(number: f64) -> Self;
-    /// A size.
+    /// Converts a matrix size.
     fn whole(size: u16) -> Self;
-    /// Its bits.
+    /// Returns the bits as a word.
     fn word(self) -> u64;
 }
 
@@ -38,7 +38,7 @@ impl Element for f32 {
     }
 }
 
-/// The numbers of one case, by columns.
+/// The numbers of a case, in column order.
 pub struct Numbers<T> {
     pub matrix: Vec<T>,
     pub second: Vec<T>,
@@ -46,7 +46,7 @@ pub struct Numbers<T> {
 }
 
 impl<T: Element> Numbers<T> {
-    /// For matrices of this size.
+    /// Generates numbers for matrices of a size.
     pub fn new(size: u16) -> Numbers<T> {
         let n = usize::from(size);
         let of = |count, seed: u64| fill(count, seed.wrapping_add(u64::from(size)));
@@ -57,7 +57,7 @@ impl<T: Element> Numbers<T> {
         }
     }
 
-    /// The matrix made symmetric and positive definite: `a + aᵀ`, and on the diagonal the size more.
+    /// Generates numbers with a symmetric, positive definite matrix: `a + aᵀ`, with the size added to the diagonal.
     pub fn definite(size: u16) -> Numbers<T> {
         let mut numbers = Numbers::new(size);
         let n = usize::from(size);

@@ -1,11 +1,11 @@
-//! The Chapter 6 job: nalgebra's own LU ends at 127 rows, so the solve is elimination in its order, by
-//! columns, in place.
+//! The computation of the thesis' Chapter 6. nalgebra's own LU ends at 127 rows, so the solve is an elimination in
+//! nalgebra's order, by columns, in place.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::{Case, Element, Numbers, Prepared};
 
-/// `x = A\b`, 200 by 200.
+/// The solution `x = A\b` with 200 by 200 elements.
 struct Solve {
     numbers: Numbers<f64>,
     a: Box<SMatrix<f64, 200, 200>>,
@@ -28,7 +28,7 @@ impl Prepared for Solve {
     }
 }
 
-/// The inverse, 100 by 100.
+/// The inverse of a matrix of 100 by 100 elements.
 struct Invert {
     numbers: Numbers<f64>,
     a: Box<SMatrix<f64, 100, 100>>,
@@ -49,7 +49,7 @@ impl Prepared for Invert {
     }
 }
 
-/// Elimination with row pivots, each element in nalgebra's order.
+/// Elimination with row pivoting, in nalgebra's order for each element.
 #[inline(never)]
 fn solve<const N: usize>(a: &mut SMatrix<f64, N, N>, b: &mut SVector<f64, N>) -> bool {
     for k in 0..N {
@@ -73,7 +73,7 @@ fn solve<const N: usize>(a: &mut SMatrix<f64, N, N>, b: &mut SVector<f64, N>) ->
     a.solve_upper_triangular_mut(b)
 }
 
-/// Both parts.
+/// Returns both parts of the computation.
 pub fn cases() -> Vec<Case> {
     vec![
         Case {

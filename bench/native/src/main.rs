@@ -1,6 +1,6 @@
-//! The model's own contender: the routines that a model calls, as rustc compiles them.
+//! The model itself as a contender: the routines that a model calls, compiled by rustc.
 //!
-//! Speaks the protocol of `bench/c/harness.c`, on the same numbers.
+//! Uses the protocol and the numbers of `bench/c/harness.c`.
 
 mod data;
 mod large;
@@ -11,21 +11,21 @@ use std::time::Instant;
 
 use data::{Element, Numbers};
 
-/// Something measured.
+/// A named case.
 struct Case {
     name: String,
     prepare: Box<dyn Fn() -> Box<dyn Prepared>>,
 }
 
-/// A case with its numbers at hand.
+/// A case with its numbers.
 trait Prepared {
-    /// Not measured, before each run.
+    /// Restores the inputs; this is not measured.
     fn load(&mut self);
     /// Returns true if `load` must precede each run.
     fn destroys(&self) -> bool;
     /// Runs the measured work.
     fn run(&mut self);
-    /// The words of the result.
+    /// Returns the result as words.
     fn words(&self) -> Vec<u64>;
 }
 
@@ -56,7 +56,7 @@ fn find<'a>(cases: &'a [Case], name: &str) -> Option<&'a Case> {
     cases.iter().find(|case| case.name == name)
 }
 
-/// The two names that instructions are counted between; not the same text, or they would be one function.
+/// Marks the start of counted instructions. Its text differs from the end's, since rustc would merge equal functions.
 #[inline(never)]
 fn bench_begin(name: &str) {
     std::hint::black_box((name, "begin"));
@@ -113,8 +113,8 @@ fn serve(cases: &[Case]) {
     }
 }
 
-/// Nanoseconds of so many runs; one before them brings the caches back. As in `harness.c`, each place of the stack counts
-/// alike.
+/// Returns the nanoseconds of `repetitions` runs, after one that fills the caches. As in `harness.c`, several
+/// positions of the stack count equally.
 fn measure(case: &mut dyn Prepared, repetitions: u32) -> u128 {
     let mut total = 0;
     if case.destroys() {
@@ -140,7 +140,7 @@ fn measure(case: &mut dyn Prepared, repetitions: u32) -> u128 {
     total
 }
 
-/// Nanoseconds of so many runs with the stack so many bytes lower.
+/// Returns the nanoseconds of some runs with the stack `BYTES` bytes lower.
 #[inline(never)]
 fn run_lower<const BYTES: usize>(case: &mut dyn Prepared, repetitions: u32) -> u128 {
     std::hint::black_box(&[0_u8; BYTES]);

@@ -1,4 +1,4 @@
-//! Sizes 2 to 20, as a model writes them.
+//! Cases of sizes 2 to 20, in the form of a model's code.
 
 use std::hint::black_box;
 
@@ -19,7 +19,7 @@ struct Small<T, const N: usize, R> {
     result: Option<R>,
 }
 
-/// The words of a result.
+/// A result that can be converted to words.
 trait Words {
     fn words(&self) -> Vec<u64>;
 }
@@ -65,7 +65,7 @@ fn case<T: Element, const N: usize, R: Words + 'static>(
     }
 }
 
-/// Every case of one type.
+/// Returns all cases of one float type.
 pub fn cases<T: Element>() -> Vec<Case> {
     let mut cases = Vec::new();
     macro_rules! sizes {

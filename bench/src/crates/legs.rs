@@ -19,7 +19,7 @@ use bessemer_tests::{harness, toolchain};
 use super::native;
 use super::source::{Crate, LaidOut};
 
-/// Calls of each function with edge values, and with small numbers.
+/// Number of calls of each function with edge values, and with small numbers.
 const CALLS: usize = 200;
 
 /// Numbers of calls and differences of a crate.
@@ -29,13 +29,13 @@ pub struct Counts {
     pub entries: usize,
     /// Number of calls of each leg.
     pub calls: usize,
-    /// Number of these whose inputs are those of the crate's own tests.
+    /// Number of calls with inputs of the crate's own tests.
     pub of_tests: usize,
     /// Number of calls in which interpreter or C differ from the marked copy.
     pub legs: usize,
     /// Number of calls in which the marked copy differs from the original.
     pub original: usize,
-    /// Number of these whose inputs are those of the crate's own tests.
+    /// Number of differing calls with inputs of the crate's own tests.
     pub tests_differ: usize,
     /// Largest difference from the original in a floating-point number, in units of its last place.
     pub ulp: u64,
@@ -53,7 +53,7 @@ struct Case<'f> {
     marked: Vec<Outcome>,
 }
 
-/// Compares the legs of a crate that is laid out.
+/// Compares the legs of a crate in its workspace.
 pub fn compare(of: &Crate, laid: &LaidOut, say: &dyn Fn(&str)) -> Result<Counts, String> {
     say("the marked copy becomes C");
     let compiled = compiled(of, laid)?;
@@ -138,7 +138,7 @@ pub fn compare(of: &Crate, laid: &LaidOut, say: &dyn Fn(&str)) -> Result<Counts,
     Ok(counts)
 }
 
-/// The C of the marked copy.
+/// Compiles the marked copy to C.
 fn compiled(of: &Crate, laid: &LaidOut) -> Result<Compiled, String> {
     let job = Job::new(&laid.workspace, &format!("marked-{}", of.name));
     let sources = Sources::new(&laid.workspace);

@@ -22,17 +22,17 @@ use serde_json::{Value, json};
 pub use legs::Counts;
 pub use source::{Crate, all, vendored};
 
-/// The outcome of a crate's trial.
+/// The result of trying a crate.
 pub struct Trial {
     /// The crate.
     pub of: Crate,
     /// Numbers of attributes, of imports and of changed lines.
     pub marks: [usize; 3],
-    /// Numbers of the comparison, or the error that prevented it.
+    /// Results of the comparison, or the error that prevented it.
     pub outcome: Result<Counts, String>,
 }
 
-/// Tries a crate whose sources are in a folder; `say` is called with each step.
+/// Tries a crate whose sources are in a folder; calls `say` with each step.
 pub fn tried(of: &Crate, sources: &std::path::Path, say: &dyn Fn(&str)) -> Trial {
     let mut marks = [0; 3];
     let outcome = source::lay_out(of, sources).and_then(|laid| {
@@ -48,7 +48,7 @@ impl Trial {
         self.outcome.as_ref().is_ok_and(|counts| counts.legs == 0)
     }
 
-    /// For machines: what `bench/results/crates.json` holds of it.
+    /// Formats the trial for `bench/results/crates.json`.
     pub fn json(&self) -> Value {
         let [attributes, imports, changed] = self.marks;
         let mut row = json!({
@@ -78,7 +78,7 @@ impl Trial {
         row
     }
 
-    /// For people: one line.
+    /// Formats the trial as one line for people.
     pub fn line(&self) -> String {
         let [attributes, imports, changed] = self.marks;
         let mut text = format!(
@@ -97,14 +97,15 @@ impl Trial {
     }
 }
 
-/// The head of the lines of [`Trial::line`].
+/// Heading of the lines of [`Trial::line`].
 pub const HEAD: &str =
     "crate                    version  attr  use edit  fns  calls tests  legs  orig  ulp";
 
-/// Writes the result file: the rows of this run in the place of older ones.
+/// Replaces this run's rows in the result file.
 ///
 /// # Errors
-/// An error of the file system, or a result file that is no JSON.
+///
+/// An error of the file system, or a result file that is not JSON.
 pub fn store(trials: &[Trial]) -> Result<(), String> {
     let path = results();
     let failed = |error: &dyn std::fmt::Display| format!("`{}`: {error}", path.display());

@@ -1,4 +1,4 @@
-//! `docs/crates.md`: the table of the result file, with what our files say of each crate.
+//! Writes `docs/crates.md`: the table of the result file, with our notes on each crate.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -14,9 +14,10 @@ pub fn path() -> PathBuf {
     root().join("docs/crates.md")
 }
 
-/// Returns the page with the table of the result file in the place of an older one.
+/// Returns the page with a new table from the result file.
 ///
 /// # Errors
+///
 /// A file that is missing or damaged.
 pub fn text() -> Result<String, String> {
     let read = |path: PathBuf| {

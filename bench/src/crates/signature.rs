@@ -2,7 +2,7 @@
 
 /// A function that is called with words.
 pub struct Signature {
-    /// Its name.
+    /// Name of the function.
     pub name: String,
     /// The types of its parameters, as written.
     pub params: Vec<String>,
@@ -11,7 +11,8 @@ pub struct Signature {
 /// Returns the public functions of a text.
 ///
 /// # Errors
-/// A line that begins like one and is none.
+///
+/// A line that begins like a function but cannot be parsed.
 pub fn of(text: &str) -> Result<Vec<Signature>, String> {
     text.lines().filter(|line| line.starts_with("pub fn ")).map(read).collect()
 }

@@ -18,13 +18,13 @@ use super::signature::{self, Signature};
 /// A crate of the list.
 #[derive(Clone)]
 pub struct Crate {
-    /// Its name.
+    /// Name of the crate.
     pub name: String,
-    /// Its version, to the last figure.
+    /// Exact version of the crate.
     pub version: String,
     /// The author's name.
     pub author: String,
-    /// The field that it is of.
+    /// The field of application.
     pub field: String,
 }
 
@@ -33,7 +33,7 @@ impl Crate {
         root().join("bench/crates").join(format!("{}-{}", self.name, self.version))
     }
 
-    /// The text of one of our files about it; empty if there is none.
+    /// The text of one of our files about the crate; empty if there is no such file.
     pub fn ours(&self, file: &str) -> String {
         fs::read_to_string(self.folder().join(file)).unwrap_or_default()
     }
@@ -41,7 +41,7 @@ impl Crate {
 
 /// A crate's workspace: the original, the marked copy, and the program that calls both.
 pub struct LaidOut {
-    /// The folder.
+    /// Folder of the workspace.
     pub workspace: PathBuf,
     /// The functions of `drive.rs`.
     pub functions: Vec<Signature>,
@@ -66,10 +66,11 @@ pub fn all() -> Result<Vec<Crate>, String> {
     Ok(rows.filter_map(read).collect())
 }
 
-/// The folder of the sources, which cargo fetches if they are not there yet.
+/// Returns the folder of the sources; cargo fetches missing ones.
 ///
 /// # Errors
-/// An error of the file system, or what cargo said.
+///
+/// An error of the file system, or the message of cargo.
 pub fn vendored(crates: &[Crate]) -> Result<PathBuf, String> {
     let folder = root().join("target/crates/sources");
     let vendor = folder.join("vendor");
@@ -95,9 +96,10 @@ pub fn vendored(crates: &[Crate]) -> Result<PathBuf, String> {
     }
 }
 
-/// Lays a crate out.
+/// Creates the workspace of a crate.
 ///
 /// # Errors
+///
 /// An error of the file system, or of our files about the crate.
 pub fn lay_out(of: &Crate, sources: &Path) -> Result<LaidOut, String> {
     let from = sources.join(format!("{}-{}", of.name, of.version));
@@ -159,7 +161,7 @@ fn settle(workspace: &Path, name: &str) -> Result<(), String> {
     }
 }
 
-/// The manifest of a copy: the crate's own without what only its tests need, under a name for this side.
+/// The manifest of a copy: the crate's own, renamed and without the dependencies of its tests.
 fn manifest(of: &Crate, text: &str, side: &str) -> String {
     let features = of.ours("features");
     let features: Vec<String> = features.split_whitespace().map(|it| format!("\"{it}\"")).collect();
@@ -204,7 +206,7 @@ fn manifest(of: &Crate, text: &str, side: &str) -> String {
     if side == "marked" { kept + bessemer } else { kept }
 }
 
-/// Our functions around a crate, marked: each of them is a `#[function]`.
+/// Our functions for a crate, each marked as a `#[function]`.
 fn driven(text: &str) -> String {
     let mut marked = String::new();
     let mut imported = false;
@@ -222,7 +224,7 @@ fn driven(text: &str) -> String {
     marked
 }
 
-/// A line of a file of marks or edits: the file, the number of a line, and its text.
+/// A line of the files `marks` and `edits`: the file, the line number, and the text.
 struct Note {
     file: String,
     line: usize,
@@ -245,7 +247,7 @@ fn notes(text: &str, name: &str) -> Result<Vec<Note>, String> {
     Ok(notes)
 }
 
-/// Applies the marks and the edits; the numbers of attributes, imports and changed lines.
+/// Applies the marks and the edits; returns the numbers of attributes, imports and changed lines.
 fn mark(of: &Crate, from: &Path, to: &Path) -> Result<(usize, usize, usize), String> {
     let (mut attributes, mut imports) = (0, 0);
     let marks = notes(&of.ours("marks"), "marks")?;
@@ -309,7 +311,7 @@ fn read(path: &Path) -> Result<String, String> {
     fs::read_to_string(path).map_err(|error| format!("`{}`: {error}", path.display()))
 }
 
-/// Writes a file unless it has that text already, so that cargo builds no more than changed.
+/// Writes a file only if its text changed, so that cargo does not rebuild without need.
 fn write(path: &Path, text: &str) -> Result<(), String> {
     if fs::read_to_string(path).is_ok_and(|old| old == text) {
         return Ok(());

@@ -13,10 +13,10 @@ use super::reasons::{Place, Reasons};
 use super::report::ratio;
 use super::results::{Cell, Results, Row, Table};
 
-/// From this size on the generated C aims at less than the best.
+/// Size from which the limit is below the best of the others.
 const AIMS: usize = 6;
 
-/// The largest share of the best's figure that a case is to take.
+/// The limit of a case, as a fraction of the best of the others.
 fn limit(case: &Case, counted: bool) -> f64 {
     match (case.size >= AIMS && counted, case.routine) {
         (false, _) => 1.0,

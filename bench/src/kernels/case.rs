@@ -1,24 +1,24 @@
 //! The cases of the measurement, and the numbers that they run on.
 
-/// A routine.
+/// A measured routine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Routine {
-    /// `a x = b`, one right-hand side, by LU.
+    /// Solves `a x = b` for one right-hand side by LU.
     LuSolve,
-    /// The inverse.
+    /// Computes the inverse.
     Inverse,
-    /// `a x = b` for a symmetric, positive definite `a`.
+    /// Solves `a x = b` for a symmetric, positive definite `a`.
     CholeskySolve,
-    /// A product of two square matrices.
+    /// Multiplies two square matrices.
     Product,
 }
 
 impl Routine {
-    /// In the order of the tables.
+    /// All routines in the order of the tables.
     pub const ALL: [Routine; 4] =
         [Routine::LuSolve, Routine::Inverse, Routine::CholeskySolve, Routine::Product];
 
-    /// `lu_solve`.
+    /// Returns the name in results, such as `lu_solve`.
     pub fn name(self) -> &'static str {
         match self {
             Routine::LuSolve => "lu_solve",
@@ -28,7 +28,7 @@ impl Routine {
         }
     }
 
-    /// As a table names it.
+    /// Returns the title in tables.
     pub fn title(self) -> &'static str {
         match self {
             Routine::LuSolve => "LU solve",
@@ -39,7 +39,7 @@ impl Routine {
     }
 }
 
-/// A type of number.
+/// A float type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Element {
     /// `double`.
@@ -49,7 +49,7 @@ pub enum Element {
 }
 
 impl Element {
-    /// `f64`.
+    /// Returns the name in results, such as `f64`.
     pub fn name(self) -> &'static str {
         match self {
             Element::F64 => "f64",
@@ -58,30 +58,30 @@ impl Element {
     }
 }
 
-/// A case.
+/// A case: a routine with a float type and a size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Case {
     /// Routine that is measured.
     pub routine: Routine,
-    /// In which numbers.
+    /// Float type of the elements.
     pub element: Element,
-    /// Rows and columns.
+    /// Number of rows and columns.
     pub size: usize,
 }
 
-/// The two parts of the Chapter 6 job.
+/// The two parts of the computation of Chapter 6.
 pub const CHAPTER_6: [Case; 2] = [
     Case { routine: Routine::LuSolve, element: Element::F64, size: 200 },
     Case { routine: Routine::Inverse, element: Element::F64, size: 100 },
 ];
 
 impl Case {
-    /// `lu_solve_f64_6`.
+    /// Returns the name in results, such as `lu_solve_f64_6`.
     pub fn name(&self) -> String {
         format!("{}_{}_{}", self.routine.name(), self.element.name(), self.size)
     }
 
-    /// Every small case of these sizes.
+    /// Returns every small case of these sizes.
     pub fn small(sizes: &[usize]) -> Vec<Case> {
         let mut cases = Vec::new();
         for element in [Element::F64, Element::F32] {
@@ -93,8 +93,7 @@ impl Case {
     }
 }
 
-/// The numbers of a case, as doubles (those of f32 are exact in them), by columns; as `bench/c/harness.c`
-/// makes them.
+/// The numbers of a case as doubles, by columns, equal to those of `bench/c/harness.c`; numbers of `f32` are exact.
 pub struct Numbers {
     /// The first operand.
     pub matrix: Vec<f64>,

@@ -1,11 +1,11 @@
-//! Validity check of a result before it is measured.
+//! Checks a result before its program is measured.
 //!
-//! The generated code has to have the bits of the model as rustc compiles it; everybody else a residual
-//! that fits the numbers they compute with.
+//! The generated code must have the bits of the model as compiled by rustc; other contenders must have a residual
+//! that fits their precision.
 
 use super::case::{Case, Element, Numbers, Routine};
 
-/// The result's words as doubles.
+/// Converts the result's words to doubles.
 pub fn numbers(case: &Case, words: &[u64]) -> Vec<f64> {
     let number = |word: &u64| match case.element {
         Element::F64 => f64::from_bits(*word),
@@ -58,7 +58,8 @@ pub fn residual(case: &Case, words: &[u64]) -> f64 {
     worst / (n as f64 * epsilon * (largest(&a) * largest(&x) + largest(&b)))
 }
 
-/// The largest residual that is taken for right. The thesis' own elimination holds a ratio in a float.
+/// The largest residual that is accepted. The thesis' own elimination computes a ratio in a float, and so is less
+/// accurate.
 pub fn allowed(contender: &str, case: &Case) -> f64 {
     match (contender, case.routine) {
         ("thesis", Routine::LuSolve) => f64::from(f32::EPSILON) / f64::EPSILON,

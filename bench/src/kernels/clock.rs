@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::time::Instant;
 
-/// A program that serves requests.
+/// A running program that executes requests.
 pub struct Server {
     child: Child,
     requests: ChildStdin,
@@ -57,9 +57,10 @@ impl Server {
         }
     }
 
-    /// Nanoseconds a run, over so many.
+    /// Returns the nanoseconds of a run, averaged over `repetitions`.
     ///
     /// # Errors
+    ///
     /// The program does not know the case, or died.
     pub fn time(&mut self, case: &str, repetitions: u32) -> Result<f64, String> {
         let answer = self.ask(&format!("time {case} {repetitions}"))?;
@@ -67,7 +68,7 @@ impl Server {
         Ok(total / f64::from(repetitions))
     }
 
-    /// The words of the result.
+    /// Returns the words of the result.
     ///
     /// # Errors
     /// The program does not know the case, or died.
@@ -96,19 +97,21 @@ pub struct Times {
     pub median: f64,
     /// Upper quartile, nanoseconds.
     pub high: f64,
-    /// The first program's time over this one's, round by round: the median.
+    /// Median over the rounds of the first program's time divided by this one's.
     pub ratio: f64,
 }
 
-/// A fixed piece of work beside the rounds, which tells whether the processor is shared. A neighbour on the same core takes turns of its
-/// units: dense code then takes up to 1.6 times as long, code that waits 1.2 times, and ratios are the neighbour's.
+/// A fixed piece of work next to the rounds, which shows whether the processor is shared.
+///
+/// Another program on the same physical core uses its units, too: dense code then takes up to 1.6 times as long and
+/// code that waits 1.2 times, so ratios would be wrong.
 pub struct Reference {
     least: f64,
     rounds: u32,
     disturbed: u32,
 }
 
-/// Nothing seen yet.
+/// No measurement yet.
 impl Default for Reference {
     fn default() -> Reference {
         Reference { least: f64::INFINITY, rounds: 0, disturbed: 0 }
@@ -150,9 +153,9 @@ pub fn race(
     rounds: usize,
     reference: &mut Reference,
 ) -> Result<Vec<Vec<f64>>, String> {
-    /// Long enough for the clock, short enough to be undisturbed, nanoseconds.
+    /// Duration of a sample, ns: long enough for the clock, short enough to be undisturbed.
     const SAMPLE: f64 = 200_000.0;
-    /// Ratio by which runs differ without a neighbour.
+    /// Ratio below which a variation of the reference work is not a disturbance.
     const CALM: f64 = 1.1;
     let mut repetitions = Vec::new();
     for server in servers.iter_mut() {

@@ -1,6 +1,6 @@
-//! The contenders, and the way each becomes a program.
+//! The contenders, and how the program of each is built.
 //!
-//! A program is compiled anew only if its sources or its command changed.
+//! A program is recompiled only if its sources or its command changed.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -15,33 +15,33 @@ use super::case::{Case, Routine};
 use super::generated;
 use super::machine::{Machine, RUST_TARGET};
 
-/// Someone whose C, C++ or Rust is measured.
+/// A contender: code in C, C++ or Rust that is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Contender {
-    /// Our C.
+    /// The generated C.
     Generated,
-    /// Our C in the fast mode.
+    /// The generated C in the fast mode.
     Fast,
     /// The handwritten C of the thesis.
     Thesis,
-    /// Careful handwritten C.
+    /// Optimised handwritten C.
     Careful,
-    /// Loops over constant bounds.
+    /// Simple loops with constant bounds.
     Naive,
-    /// Eigen.
+    /// The C++ library Eigen.
     Eigen,
-    /// OpenBLAS, one thread.
+    /// OpenBLAS with one thread.
     OpenBlas,
     /// The reference LAPACK with the reference BLAS.
     Lapack,
-    /// The model itself, nalgebra, as rustc compiles it.
+    /// The model itself with nalgebra, compiled by rustc.
     Native,
 }
 
 const LAPACK: &str = "/usr/lib/x86_64-linux-gnu/lapack:/usr/lib/x86_64-linux-gnu/blas";
 
 impl Contender {
-    /// As a result names it.
+    /// Returns the name in results.
     pub fn name(self) -> &'static str {
         match self {
             Contender::Generated => "generated",
@@ -56,7 +56,7 @@ impl Contender {
         }
     }
 
-    /// As a table names it.
+    /// Returns the title in tables.
     pub fn title(self) -> &'static str {
         match self {
             Contender::Generated => "generated C",
@@ -71,7 +71,7 @@ impl Contender {
         }
     }
 
-    /// Returns the contenders of the Chapter 6 job.
+    /// Returns the contenders for the computation of Chapter 6.
     pub fn of_chapter_6(machine: &Machine) -> Vec<Contender> {
         use Contender::{Careful, Eigen, Fast, Generated, Lapack, Native, OpenBlas, Thesis};
         match machine.target {
@@ -80,7 +80,7 @@ impl Contender {
         }
     }
 
-    /// Contenders of the small sizes.
+    /// Contenders for the small sizes.
     pub const SMALL: [Contender; 4] =
         [Contender::Generated, Contender::Naive, Contender::Eigen, Contender::Native];
 
@@ -93,9 +93,10 @@ impl Contender {
         }
     }
 
-    /// Builds its program for these cases.
+    /// Builds the program of a contender for these cases.
     ///
     /// # Errors
+    ///
     /// The compiler's message.
     pub fn build(
         self,
@@ -143,8 +144,7 @@ impl Contender {
     }
 }
 
-/// Compiles the sources, each by itself and as many at a time as there are processors, and links them with
-/// the harness.
+/// Compiles the sources in parallel, one process for each processor, and links them with the harness.
 fn link(
     contender: Contender,
     machine: &Machine,
@@ -198,7 +198,7 @@ fn link(
     Ok(program)
 }
 
-/// Compiles a source; its object, and whether that was there already.
+/// Compiles a source; returns its object, and whether it was reused.
 fn object(
     contender: Contender,
     machine: &Machine,
@@ -223,7 +223,7 @@ fn object(
     Ok((object, fresh))
 }
 
-/// The text of every header that a source of this folder may include.
+/// Returns the text of all headers that a source of this folder may include.
 fn shared(folder: &Path) -> Result<String, String> {
     let c = bessemer_tests::root().join("bench/c");
     let mut headers: Vec<PathBuf> =
@@ -235,7 +235,7 @@ fn shared(folder: &Path) -> Result<String, String> {
     Ok(headers.iter().filter_map(|path| fs::read_to_string(path).ok()).collect())
 }
 
-/// Runs a compiler unless the object is there and was made by the same command of the same text.
+/// Runs a compiler unless an object exists that was built by the same command from the same text.
 fn once(command: &mut Command, source: &Path, object: &Path, shared: &str) -> Result<bool, String> {
     let text = fs::read_to_string(source).map_err(|error| error.to_string())?;
     let stamp = object.with_extension("stamp");
@@ -248,7 +248,7 @@ fn once(command: &mut Command, source: &Path, object: &Path, shared: &str) -> Re
     Ok(false)
 }
 
-/// The Rust program.
+/// Builds the program with the model itself.
 fn native(machine: &Machine) -> Result<PathBuf, String> {
     let root = bessemer_tests::root();
     let folder = root.join(format!("target/bench/native-{}", machine.name));
@@ -296,7 +296,7 @@ fn eigen(case: &Case) -> String {
     format!("Small<{}, {}>::{}", real(case).0, case.size, case.routine.name())
 }
 
-/// `double` and nothing, `float` and `f`.
+/// Returns the C type, and the suffix of C functions for it: `double` and nothing, or `float` and `f`.
 pub fn real(case: &Case) -> (&'static str, &'static str) {
     match case.element {
         super::case::Element::F64 => ("double", ""),
@@ -304,7 +304,7 @@ pub fn real(case: &Case) -> (&'static str, &'static str) {
     }
 }
 
-/// A source with a function for each case and the list of them.
+/// Returns a source with a function for each case, and their table.
 pub fn table(
     include: &str,
     cases: &[Case],
@@ -315,7 +315,7 @@ pub fn table(
     head + &functions(include, cases, function, "") + &list(cases)
 }
 
-/// A source with a function for each case, of this linkage.
+/// Returns the functions of the cases with this linkage.
 fn functions(
     include: &str,
     cases: &[Case],
@@ -340,7 +340,7 @@ fn functions(
     text
 }
 
-/// The list of the cases, whose functions may stand elsewhere.
+/// Returns the table of the cases, whose functions may be in another source.
 fn list(cases: &[Case]) -> String {
     let mut text = String::from("#include \"case.h\"\n\n");
     let mut entries = String::new();
@@ -360,7 +360,7 @@ fn list(cases: &[Case]) -> String {
     )
 }
 
-/// Writes a file if its text is new, and gives its path.
+/// Writes a file if its text changed; returns its path.
 pub fn put(folder: &Path, name: &str, text: &str) -> Result<PathBuf, String> {
     let path = folder.join(name);
     if fs::read_to_string(&path).is_ok_and(|known| known == text) {
@@ -370,7 +370,7 @@ pub fn put(folder: &Path, name: &str, text: &str) -> Result<PathBuf, String> {
     Ok(path)
 }
 
-/// Runs a command; what it said if it failed.
+/// Runs a command; the error is its output.
 pub fn run(command: &mut Command) -> Result<(), String> {
     let output = command.output().map_err(|error| format!("{command:?}: {error}"))?;
     if output.status.success() {

@@ -1,4 +1,5 @@
-//! Executed instructions, exact and repeatable: callgrind on the host, QEMU's plugin on the Cortex-A9.
+//! Counts executed instructions exactly and reproducibly: by callgrind on the host, by QEMU's plugin for the
+//! Cortex-A9.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -6,9 +7,10 @@ use std::process::{Command, Stdio};
 
 use super::machine::Machine;
 
-/// Instructions of each case of a program; what the bracket itself costs is taken off.
+/// Returns the instructions of each case of a program, without those of the measurement itself.
 ///
 /// # Errors
+///
 /// The program or the counter failed.
 pub fn count(
     machine: &Machine,

@@ -1,5 +1,6 @@
-//! The generated C as a contender: kernels as the back end emits them, called as a model calls them. Operands that
-//! change are copied first. The parts of Chapter 6 follow their loader.
+//! The generated C as a contender: kernels as the back end emits them, called as in a model. Operands that the kernel
+//! changes are copied first. In the two cases of Chapter 6, a separate function copies the operands, and the kernel
+//! works in place.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -33,7 +34,7 @@ pub fn kernels_of(case: &Case) -> Vec<Kernel> {
     kernels.into_iter().filter_map(|(routine, dims)| Kernel::new(routine, element, &dims)).collect()
 }
 
-/// Writes the kernels and the list of the cases; gives the sources.
+/// Writes the kernels and the table of the cases; returns the sources.
 pub fn write(cases: &[Case], folder: &Path, tuning: Tuning) -> Result<Vec<PathBuf>, String> {
     let known: Vec<(Case, Vec<Kernel>)> =
         cases.iter().map(|case| (*case, kernels_of(case))).collect();
@@ -68,7 +69,7 @@ pub fn write(cases: &[Case], folder: &Path, tuning: Tuning) -> Result<Vec<PathBu
     Ok(sources)
 }
 
-/// A function of its own for what is in a header.
+/// Wraps a function of a header in an ordinary function.
 fn alone(kernel: &Kernel) -> String {
     let name = kernel.name();
     let real = if kernel.element == Float::F64 { "double" } else { "float" };
@@ -89,7 +90,7 @@ fn alone(kernel: &Kernel) -> String {
     )
 }
 
-/// A kernel; or where the product has none, a function that holds what a model's would.
+/// Returns the function of a kernel; for a product without a kernel, a function with a model's code.
 fn function(kernel: &Kernel) -> Function {
     let mut function = kernel.function();
     if kernel.is_function() {
@@ -114,7 +115,7 @@ fn function(kernel: &Kernel) -> Function {
     function
 }
 
-/// Each kernel on copies of what it changes.
+/// Returns functions that call each kernel on copies of the operands that it changes.
 fn copied(known: &[(Case, Vec<Kernel>)]) -> String {
     // As each emitted source begins: compilers put a kernel of a header where it is called only if both were reported the same.
     let mut before = String::from("#include <string.h>\n#include \"bessemer_target.h\"\n");
@@ -180,7 +181,7 @@ fn copied(known: &[(Case, Vec<Kernel>)]) -> String {
     table("case.h", &cases, |case| format!("copy_{}", case.name()), &before)
 }
 
-/// The work struct of a kernel, and how it is handed over.
+/// The work struct of a kernel, and how it is passed.
 struct Call {
     work: String,
     lent: String,
@@ -199,7 +200,7 @@ impl Call {
     }
 }
 
-/// The parts of Chapter 6: a loader, and the kernel in place.
+/// Returns the functions for Chapter 6: one that copies the operands, and the kernel in place.
 fn loaded(known: &[(Case, Vec<Kernel>)]) -> String {
     let mut text = String::from("#include \"case.h\"\n#include <string.h>\n");
     let mut list = String::new();

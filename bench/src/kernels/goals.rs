@@ -1,4 +1,4 @@
-//! The goals of the generated C, and what a run reached.
+//! The performance goals of the generated C, and the measured values.
 
 use std::fmt::Write as _;
 
@@ -8,12 +8,12 @@ use super::machine::{A9, A9_PLAIN, HOST, HOST_V3, Machine};
 use super::reasons::Reasons;
 use super::results::{Cell, Results, Size, Table};
 
-/// A figure, and its bound.
+/// A figure and its upper limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
     /// Description of the goal.
     pub what: String,
-    /// At most so much.
+    /// Upper limit of the figure.
     pub most: f64,
     /// Measured value; none if the run did not measure it.
     pub reached: Option<f64>,
@@ -24,13 +24,13 @@ impl Goal {
         Goal { what: what.into(), most, reached }
     }
 
-    /// Returns true if it was measured and is within its limit.
+    /// Returns true if the figure was measured and is within its limit.
     pub fn holds(&self) -> bool {
         self.reached.is_some_and(|reached| reached <= self.most)
     }
 }
 
-/// All of them.
+/// Returns all goals.
 pub fn of(results: &Results, reasons: &Reasons) -> Vec<Goal> {
     let mut goals = vec![
         Goal::new(
@@ -55,7 +55,7 @@ pub fn of(results: &Results, reasons: &Reasons) -> Vec<Goal> {
     goals
 }
 
-/// Times of Chapter 6.
+/// Adds the goals for the times of the computation of Chapter 6 on this machine.
 fn on_host(results: &Results, name: &str, machine: &Machine, goals: &mut Vec<Goal>) {
     for (part, job) in ["solve 200", "invert 100"].into_iter().enumerate() {
         for contender in [Contender::Eigen, Contender::OpenBlas] {
@@ -79,7 +79,7 @@ fn on_host(results: &Results, name: &str, machine: &Machine, goals: &mut Vec<Goa
     ));
 }
 
-/// Bytes of code on the Cortex-A9, and of the stack everywhere.
+/// Adds the goals for the code size on the Cortex-A9, and for the stack on all machines.
 fn sizes(results: &Results, goals: &mut Vec<Goal>) {
     let is_large = |size: &&Size| ["solve_f64_200", "inverse_f64_100"].contains(&&*size.kernel);
     for machine in [A9, A9_PLAIN] {
@@ -105,14 +105,14 @@ fn cells(table: &Table, contender: Contender) -> Option<Vec<Cell>> {
     table.rows.iter().map(|row| *row.cells.get(at)?).collect()
 }
 
-/// Million instructions of the generated C, for both parts.
+/// Returns the instructions of the generated C for both parts of Chapter 6, in millions.
 fn millions(results: &Results, machine: &Machine) -> Option<f64> {
     let cells = cells(chapter_6(results, machine)?, Contender::Generated)?;
     let counts: Option<Vec<u64>> = cells.iter().map(|cell| cell.instructions).collect();
     Some(counts?.iter().sum::<u64>() as f64 / 1e6)
 }
 
-/// The generated C's time on one part over a contender's: the median of the rounds' ratios.
+/// Returns the generated C's time for one part divided by a contender's: the median of the rounds' ratios.
 fn part_over(
     results: &Results,
     machine: &Machine,
@@ -123,7 +123,7 @@ fn part_over(
     Some(cells.get(part)?.times?.ratio)
 }
 
-/// The medians of one over those of another, both parts together.
+/// Returns the sum of the medians of one contender divided by another's, over both parts.
 fn times(results: &Results, machine: &Machine, one: Contender, other: Contender) -> Option<f64> {
     let table = chapter_6(results, machine)?;
     let both = |contender| -> Option<f64> {
@@ -132,7 +132,7 @@ fn times(results: &Results, machine: &Machine, one: Contender, other: Contender)
     Some(both(one)? / both(other)?)
 }
 
-/// A line for each.
+/// Formats the goals as lines of a table.
 pub fn markdown(results: &Results, reasons: &Reasons) -> String {
     let mut text = String::from(
         "\n## What was to be reached\n\n| | at most | reached | |\n|---|---:|---:|---|\n",
@@ -156,7 +156,7 @@ fn why<'a>(goal: &Goal, reasons: &'a Reasons) -> &'a str {
     reasons.of_goal(&goal.what).unwrap_or("no reason known")
 }
 
-/// For the terminal: what was measured and is not reached.
+/// Formats the measured goals that are missed, for the terminal.
 pub fn missed(results: &Results, reasons: &Reasons) -> String {
     let goals = of(results, reasons);
     let missed = goals.iter().filter(|goal| goal.reached.is_some() && !goal.holds());

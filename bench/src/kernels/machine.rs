@@ -1,21 +1,21 @@
 //! Machines that run the programs, and the flags of all of them.
 
-/// A machine with flags.
+/// A machine and its compiler flags.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Machine {
-    /// As a result names it.
+    /// Name of the machine in results.
     pub name: &'static str,
-    /// As a table names it.
+    /// Title of the machine in tables.
     pub title: &'static str,
     /// True for the emulated Cortex-A9.
     pub target: bool,
-    /// For C and C++, the same for all.
+    /// Flags for C and C++, which all contenders share.
     pub flags: &'static [&'static str],
-    /// For rustc.
+    /// Flags for rustc.
     pub rust_flags: &'static str,
 }
 
-/// The host with everything that it has; for times.
+/// The host with all its vector extensions; for times.
 pub const HOST: Machine = Machine {
     name: "host",
     title: "host, -O3 -march=native",
@@ -24,7 +24,7 @@ pub const HOST: Machine = Machine {
     rust_flags: "-C target-cpu=native",
 };
 
-/// The host without AVX-512; for times of Chapter 6.
+/// The host without AVX-512; for the times of Chapter 6.
 pub const HOST_V3: Machine = Machine {
     name: "host-v3",
     title: "host, -O3 -march=x86-64-v3",
@@ -33,7 +33,7 @@ pub const HOST_V3: Machine = Machine {
     rust_flags: "-C target-cpu=x86-64-v3",
 };
 
-/// The host without vectors; for times.
+/// The host without vector instructions; for times.
 pub const HOST_SCALAR: Machine = Machine {
     name: "host-scalar",
     title: "host, -O2, no vectors",
@@ -49,7 +49,7 @@ pub const HOST_SCALAR: Machine = Machine {
     rust_flags: "-C no-vectorize-loops -C no-vectorize-slp",
 };
 
-/// The host as every x86-64 is; for counts.
+/// The host with the instructions that every x86-64 has; for counts.
 pub const HOST_SSE2: Machine = Machine {
     name: "host-sse2",
     title: "host, -O2",
@@ -58,7 +58,7 @@ pub const HOST_SSE2: Machine = Machine {
     rust_flags: "-C target-cpu=x86-64",
 };
 
-/// The host with AVX2, which callgrind knows (AVX-512 it does not); for counts.
+/// The host with AVX2, which callgrind supports (unlike AVX-512); for counts.
 pub const HOST_AVX2: Machine = Machine {
     name: "host-avx2",
     title: "host, -O2 -march=x86-64-v3",
@@ -67,7 +67,7 @@ pub const HOST_AVX2: Machine = Machine {
     rust_flags: "-C target-cpu=x86-64-v3",
 };
 
-/// The Cortex-A9 with NEON loads; arithmetic stays on the VFP.
+/// The Cortex-A9 with loads by NEON; arithmetic is by the VFP.
 pub const A9: Machine = Machine {
     name: "a9",
     title: "Cortex-A9, -O2, NEON loads",
@@ -101,14 +101,14 @@ pub const A9_PLAIN: Machine = Machine {
     rust_flags: "-C target-cpu=cortex-a9 -C target-feature=-neon,+crt-static",
 };
 
-/// All of them, in the order of the report.
+/// All machines in the order of the report.
 pub const ALL: [Machine; 7] = [HOST, HOST_V3, HOST_SCALAR, HOST_SSE2, HOST_AVX2, A9, A9_PLAIN];
 
 /// The Rust target of the Cortex-A9.
 pub const RUST_TARGET: &str = "armv7-unknown-linux-gnueabihf";
 
 impl Machine {
-    /// `gcc`, or the cross compiler.
+    /// Returns the compiler: `gcc` or `g++`, or the cross compiler.
     pub fn compiler(&self, cpp: bool) -> &'static str {
         match (self.target, cpp) {
             (false, false) => "gcc",
@@ -137,7 +137,7 @@ pub fn processor() -> Option<String> {
     ))
 }
 
-/// A tool, how it is tried, and the Debian package it is in.
+/// Each needed tool, the arguments that test it, and its Debian package.
 pub const TOOLS: &[(&str, &[&str], &str)] = &[
     ("gcc", &["gcc", "--version"], "gcc"),
     ("g++", &["g++", "--version"], "g++"),

@@ -1,4 +1,4 @@
-//! Generated kernels against the peers: the Chapter 6 job, and the small sizes.
+//! Compares generated kernels with other implementations: for the computation of Chapter 6, and for small sizes.
 //!
 //! | module | what it is for |
 //! |---|---|

@@ -6,13 +6,13 @@ use super::case::{Element, Routine};
 use super::report::ratio;
 use super::results::{Results, Table};
 
-/// One for each contender or routine, the same in every panel.
+/// Colours of the contenders or routines, the same in every panel.
 const COLOURS: [&str; 9] = [
     "#b3541e", "#dba27f", "#9ca3af", "#0891b2", "#2563eb", "#0f766e", "#7c3aed", "#111827",
     "#be185d",
 ];
 
-/// One for each routine; f32 is dashed.
+/// Colours of the routines; lines for `f32` are dashed.
 const SHADES: [&str; 4] = ["#b3541e", "#2563eb", "#0f766e", "#7c3aed"];
 
 fn open(width: usize, height: usize) -> String {
@@ -22,7 +22,7 @@ fn open(width: usize, height: usize) -> String {
     )
 }
 
-/// Both parts together, a bar for each contender, a block for each machine.
+/// Plots both parts of Chapter 6 together: a bar for each contender, a group for each machine.
 pub fn chapter_6(results: &Results) -> String {
     let bars: usize = results.chapter_6.iter().map(|table| table.contenders.len() + 2).sum();
     let mut text = open(760, 20 * bars + 20);
@@ -69,7 +69,7 @@ fn total(table: &Table, index: usize) -> f64 {
     table.rows.iter().filter_map(|row| row.cells.get(index)?.as_ref().map(cell)).sum()
 }
 
-/// The ratios to the best of the others, a panel for each machine.
+/// Plots the ratios to the best of the others: a panel for each machine.
 pub fn small(results: &Results) -> String {
     let (width, height) = (760, 230);
     let mut text = open(width, height * results.small.len().max(1));

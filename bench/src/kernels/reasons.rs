@@ -1,4 +1,4 @@
-//! Why a goal is missed, or a case takes more than it should: prose, written by hand in `bench/results/reasons.json`.
+//! Reasons why a goal is missed or a case exceeds its limit: texts in `bench/results/reasons.json`.
 //!
 //! Invariant: a reason explains the cases that it lists and no other. A case that exceeds its limit later, or beside another best routine, or by
 //! more than before, has no reason until somebody writes one. A reason that no case needs any more is reported ([`unsettled`]).
@@ -23,20 +23,20 @@ pub struct Reasons {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct OfCases {
-    /// The reason; none if the cases are known to exceed their limits and nobody knows why.
+    /// The reason; `None` if the cases are known to exceed their limits for an unknown reason.
     why: Option<String>,
     cases: Vec<Place>,
 }
 
-/// A case of the small sizes on a machine, beside the best of the others there; by their names in the results.
+/// A small case on a machine, and the best of the other contenders there, by their names in the results.
 #[derive(Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Place {
-    /// `a9`.
+    /// Name of the machine, such as `a9`.
     pub machine: String,
-    /// `product_f32_6`.
+    /// Name of the case, such as `product_f32_6`.
     pub case: String,
-    /// `eigen`.
+    /// Name of the best contender, such as `eigen`.
     pub best: String,
 }
 
@@ -53,11 +53,11 @@ struct OfGoals {
     goals: Vec<Missed>,
 }
 
-/// A goal, and the largest figure that its reason speaks for.
+/// A missed goal, and the largest figure for which the reason is valid.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Missed {
-    /// As the report names it.
+    /// Description of the goal, as in the report.
     pub what: String,
     /// The figure for which the reason was written; a worse one needs a new reason.
     pub up_to: f64,
@@ -67,7 +67,8 @@ impl Reasons {
     /// Reads the committed file.
     ///
     /// # Errors
-    /// The file is not there, or is something else; with line and column.
+    ///
+    /// The file is missing or invalid; with line and column.
     pub fn committed() -> Result<Reasons, String> {
         let path = bessemer_tests::root().join("bench/results/reasons.json");
         let text = std::fs::read_to_string(&path).map_err(|error| error.to_string());
@@ -75,31 +76,32 @@ impl Reasons {
         text.and_then(read).map_err(|error| format!("`{}`: {error}", path.display()))
     }
 
-    /// Reads the text of such a file.
+    /// Parses the text of such a file.
     ///
     /// # Errors
-    /// It is something else.
+    ///
+    /// The text is invalid.
     pub fn from_json(text: &str) -> Result<Reasons, serde_json::Error> {
         serde_json::from_str(text)
     }
 
-    /// Why this case is above its limit there.
+    /// Returns the reason why a case exceeds its limit.
     pub fn of_case(&self, place: &Place) -> Option<&str> {
         self.above.iter().find(|reason| reason.cases.contains(place))?.why.as_deref()
     }
 
-    /// Every case that is known to be above its limit, for a reason or for none.
+    /// Returns all cases that are known to exceed their limits, with or without a reason.
     pub fn cases(&self) -> impl Iterator<Item = &Place> {
         self.above.iter().flat_map(|reason| &reason.cases)
     }
 
-    /// Why a goal is missed.
+    /// Returns the reason why a goal is missed.
     pub fn of_goal(&self, what: &str) -> Option<&str> {
         let speaks = |reason: &&OfGoals| reason.goals.iter().any(|goal| goal.what == what);
         Some(&self.missed.iter().find(speaks)?.why)
     }
 
-    /// Every goal that is known to be missed.
+    /// Returns all goals that are known to be missed.
     pub fn goals(&self) -> impl Iterator<Item = &Missed> {
         self.missed.iter().flat_map(|reason| &reason.goals)
     }

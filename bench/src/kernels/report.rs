@@ -9,7 +9,7 @@ use super::reasons::Reasons;
 use super::results::{Cell, Results, Row, Table};
 use super::{above, goals};
 
-/// Short tables for the terminal.
+/// Formats short tables for the terminal.
 pub fn terminal(results: &Results, reasons: &Reasons) -> String {
     let mut text = String::new();
     for table in &results.chapter_6 {
@@ -34,7 +34,7 @@ pub fn terminal(results: &Results, reasons: &Reasons) -> String {
     text
 }
 
-/// The report of a run, by what its JSON has: `about` is the part of that name.
+/// Formats the report of a run; `about` is the entry of that name in its JSON.
 pub fn markdown(results: &Results, about: &Value, reasons: &Reasons) -> String {
     let mut text = String::from(
         "# Generated C against its peers\n\n\
@@ -87,13 +87,13 @@ pub fn markdown(results: &Results, about: &Value, reasons: &Reasons) -> String {
     text
 }
 
-/// The flags, and the processor whose times these are.
+/// Formats the flags, and the processor on which the times were measured.
 fn circumstances(table: &Table) -> String {
     let processor = table.processor.as_ref().map(|name| format!("; {name}")).unwrap_or_default();
     format!("`{}`{processor}\n\n", table.machine.flags.join(" "))
 }
 
-/// A line for each kernel, a column for each machine.
+/// Formats the code sizes: a line for each kernel, a column for each machine.
 fn sizes(results: &Results) -> String {
     let mut machines = Vec::new();
     let mut kernels = Vec::new();
@@ -129,7 +129,7 @@ fn has_times(table: &Table) -> bool {
     table.rows.iter().flat_map(|row| &row.cells).flatten().any(|cell| cell.times.is_some())
 }
 
-/// A heading, and a line for each contender.
+/// Formats the results of Chapter 6: a heading, and a line for each contender.
 fn chapter_6(table: &Table) -> Vec<[String; 5]> {
     let unit = if has_times(table) { "µs" } else { "M instr." };
     let mut lines =
@@ -152,7 +152,7 @@ fn chapter_6(table: &Table) -> Vec<[String; 5]> {
     lines
 }
 
-/// Microseconds, or million instructions.
+/// Returns a time in µs, or a count in millions of instructions.
 fn value(cell: &Cell) -> f64 {
     match (cell.times, cell.instructions) {
         (Some(times), _) => times.median / 1e3,
@@ -169,12 +169,12 @@ fn shown(cell: &Cell) -> String {
     }
 }
 
-/// The ratio of a row, by time if there are times.
+/// Returns the ratio of a row: of times if there are any, otherwise of counts.
 pub fn ratio(row: &Row) -> Option<f64> {
     row.time_against_best().or_else(|| row.against_best())
 }
 
-/// A line for each routine and type, a column for each size.
+/// Formats the small sizes: a line for each routine and type, a column for each size.
 fn small(table: &Table, indent: &str) -> String {
     let mut sizes: Vec<usize> = table.rows.iter().map(|row| row.case.size).collect();
     sizes.sort_unstable();

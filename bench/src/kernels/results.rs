@@ -11,58 +11,58 @@ use super::machine::{ALL, Machine};
 pub struct Table {
     /// Machine of the run.
     pub machine: Machine,
-    /// Contenders in order; the generated C first.
+    /// The contenders in order; the generated C is first.
     pub contenders: Vec<Contender>,
-    /// Results of each case, in order of the contenders; none where one has no such case.
+    /// A row for each case.
     pub rows: Vec<Row>,
-    /// Whose times these are; counts are the same on any.
+    /// The processor on which times were measured; `None` for counts, which do not depend on it.
     pub processor: Option<String>,
 }
 
-/// A case.
+/// The results of a case.
 pub struct Row {
     /// Case of the row.
     pub case: Case,
-    /// One of each contender.
+    /// The result of each contender, in their order; `None` if it lacks the case.
     pub cells: Vec<Option<Cell>>,
 }
 
-/// One contender on one case.
+/// The result of one contender for one case.
 #[derive(Clone, Copy, Debug)]
 pub struct Cell {
     /// Executed instructions.
     pub instructions: Option<u64>,
-    /// Time.
+    /// Quartiles of the time.
     pub times: Option<Times>,
 }
 
 /// Code size and stack of a kernel.
 pub struct Size {
-    /// `lu_solve_f64_6`.
+    /// Name of the kernel, such as `lu_solve_f64_6`.
     pub kernel: String,
-    /// The machine's name.
+    /// Name of the machine.
     pub machine: &'static str,
-    /// Bytes of code and constants.
+    /// Code and constants, bytes.
     pub text: u64,
-    /// At most so many bytes of the stack: all functions of the file together.
+    /// Bound of the stack, bytes: of all functions of the file together.
     pub stack: u64,
 }
 
-/// Everything of one run.
+/// All results of a run.
 #[derive(Default)]
 pub struct Results {
-    /// The Chapter 6 job.
+    /// Results of the computation of Chapter 6, for each machine.
     pub chapter_6: Vec<Table>,
-    /// Small sizes.
+    /// Results of the small sizes, for each machine.
     pub small: Vec<Table>,
     /// Sizes of the generated kernels.
     pub sizes: Vec<Size>,
-    /// Contenders and cases left out, with reasons.
+    /// Contenders and cases that were omitted, with the reasons.
     pub left_out: Vec<String>,
 }
 
 impl Row {
-    /// The generated C's instructions over the fewest of the others.
+    /// Returns the instructions of the generated C divided by the fewest of the others.
     pub fn against_best(&self) -> Option<f64> {
         let count = |cell: &Option<Cell>| cell.and_then(|cell| cell.instructions);
         let (own, others) = self.cells.split_first()?;
@@ -70,7 +70,7 @@ impl Row {
         Some(count(own)? as f64 / best as f64)
     }
 
-    /// The generated C's time over the shortest of the others.
+    /// Returns the time of the generated C divided by the shortest of the others.
     pub fn time_against_best(&self) -> Option<f64> {
         let ratio = |cell: &Option<Cell>| cell.and_then(|cell| cell.times).map(|times| times.ratio);
         self.cells.iter().skip(1).filter_map(ratio).max_by(f64::total_cmp)
@@ -78,7 +78,7 @@ impl Row {
 }
 
 impl Results {
-    /// Takes what was measured again in place of what there was.
+    /// Replaces results by those of a later run.
     pub fn renew(&mut self, again: Results) {
         let tables = || again.chapter_6.iter().chain(&again.small);
         self.sizes.retain(|size| !tables().any(|it| it.machine.name == size.machine));
@@ -145,7 +145,7 @@ impl Table {
 }
 
 impl Cell {
-    /// Executed instructions; or the quartiles in nanoseconds, and the generated C's time over this one.
+    /// Formats executed instructions; or the quartiles in ns, and the generated C's time divided by this one.
     fn json(&self) -> Value {
         let Some(times) = self.times else { return json!(self.instructions) };
         let rounded = |value: f64, parts: f64| (parts * value).round() / parts;

@@ -1,4 +1,4 @@
-//! The run: builds, checks, counts and times, machine by machine.
+//! Runs the measurement machine by machine: builds, checks, counts and times.
 
 use std::path::{Path, PathBuf};
 
@@ -16,13 +16,13 @@ use super::{check, count, generated};
 pub struct Plan<'a> {
     /// The small sizes.
     pub sizes: &'a [usize],
-    /// Rounds of each race.
+    /// Number of rounds of each comparison of times.
     pub rounds: usize,
-    /// The short run leaves out the machines that only complete the picture.
+    /// True for a short run, which omits the less important machines.
     pub quick: bool,
-    /// Instructions alone, no times.
+    /// True to count instructions only, without times.
     pub counts: bool,
-    /// The names of the machines; all if there are none.
+    /// Names of the machines to use; all if empty.
     pub machines: &'a [String],
 }
 
@@ -35,13 +35,14 @@ pub const FULL: Plan<'static> = Plan {
     machines: &[],
 };
 
-/// The short one.
+/// The short plan.
 pub const QUICK: Plan<'static> =
     Plan { sizes: &[3, 6, 12], rounds: 31, quick: true, counts: false, machines: &[] };
 
-/// Runs it; `say` is reported what is going on.
+/// Runs a plan; calls `say` with each step.
 ///
 /// # Errors
+///
 /// A program does not compile, does not run, or has a wrong result.
 pub fn run(plan: &Plan<'_>, say: &dyn Fn(&str)) -> Result<Results, String> {
     let folder = bessemer_tests::root().join("target/bench");
@@ -93,7 +94,7 @@ struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    /// The programs of those who can take part.
+    /// Builds the programs of all contenders for a machine.
     fn programs(
         &mut self,
         machine: &Machine,
@@ -120,7 +121,7 @@ impl Bench<'_> {
         Ok(programs)
     }
 
-    /// Refuses to go on if a result is wrong.
+    /// Returns an error if a result is wrong.
     fn check(
         &self,
         machine: &Machine,
@@ -223,7 +224,7 @@ impl Bench<'_> {
         Ok(Table { machine: *machine, contenders, rows, processor: None })
     }
 
-    /// Code and stack of the generated kernels.
+    /// Measures code size and stack of the generated kernels.
     fn sizes(&mut self, machine: &Machine, cases: &[Case]) {
         let kind = if cases.iter().any(|case| case.size > 20) { "chapter6" } else { "small" };
         let folder = self.folder.join(format!("{}-generated-{kind}", machine.name));

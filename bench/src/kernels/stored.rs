@@ -10,14 +10,14 @@ use super::machine::{ALL, HOST, Machine};
 use super::results::{Cell, Results, Row, Size, Table};
 use super::run::FULL;
 
-/// The JSON with a line for each row: a list that begins with a text, a name before its figures.
+/// Formats JSON with one line for each row.
 pub fn text(json: &Value) -> String {
     let mut text = String::new();
     put(json, "\n", &mut text);
     text + "\n"
 }
 
-/// `before`: a new line, and how far it is indented.
+/// Appends a value; `before` is the line break with its indentation.
 fn put(value: &Value, before: &str, text: &mut String) {
     let is_row = |items: &[Value]| items.first().is_none_or(Value::is_string);
     let (brackets, items): (_, Vec<(String, &Value)>) = match value {

@@ -10,17 +10,17 @@ use bessemer_codegen::compile::{Compiled, Options};
 
 use crate::firmware;
 
-/// The flags that the sources need: the standard; no fused multiplications; threads, where kernels have them.
+/// Compiler flags that the sources need: the C standard, no fused multiplications, and threads if kernels use them.
 pub fn flags(options: &Options) -> String {
     format!("{} -ffp-contract=off{}", options.standard.flag(), threads(options))
 }
 
-/// The flag of threads, behind a space, where kernels have them.
+/// The compiler flag for threads with a space before it, if kernels use them.
 fn threads(options: &Options) -> &'static str {
     if options.threads > 1 { " -pthread" } else { "" }
 }
 
-/// The files for the C of a package.
+/// Returns the build files for the C of a package.
 pub fn files(compiled: &Compiled, options: &Options) -> Vec<CFile> {
     let (name, license) = (compiled.module.name.replace('-', "_"), &compiled.license);
     let names = compiled.files.iter().map(|it| it.name.as_str());

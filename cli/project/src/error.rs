@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use anstyle::{AnsiColor, Style};
 use bessemer_codegen::generate;
 
-/// Why a command could not do its work.
+/// Reason why a command failed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The generator failed.
@@ -29,7 +29,7 @@ pub enum Error {
     /// Several packages have models, and none was chosen.
     #[error("several packages may have models: {}", known.join(", "))]
     WhichPackage {
-        /// Their names.
+        /// Names of these packages.
         known: Vec<String>,
     },
     /// A file or folder could not be read or written.
@@ -83,7 +83,7 @@ impl Error {
     }
 }
 
-/// An error and its remedy, in colours.
+/// Formats an error and its remedy, in colours.
 fn told(title: &str, remedy: Option<&str>) -> String {
     let red = Style::new().bold().fg_color(Some(AnsiColor::Red.into()));
     let cyan = Style::new().bold().fg_color(Some(AnsiColor::Cyan.into()));

@@ -131,7 +131,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Each entry as the compiler reads it, so that what it says can be reported at the entry's field.
+    /// Reads each entry in the compiler's form, so that an error can be reported at the entry's field.
     fn replacements(&mut self, found: &DeValue<'_>, at: usize) {
         let Some(entries) = found.as_array() else {
             return self.tell(
@@ -213,9 +213,10 @@ fn json(value: &DeValue<'_>) -> Value {
     }
 }
 
-/// The name nearest to what was written, if one is near: by its last part too, where the section was forgotten.
+/// Returns the most similar name, if one is similar enough; also compares the last part, in case the section is
+/// missing.
 fn nearest<'k>(written: &str, known: impl Iterator<Item = &'k str>) -> Option<&'k str> {
-    /// From 0 to 1: below it, a guess would mislead.
+    /// Least similarity for a suggestion, from 0 to 1; a less similar one would mislead.
     const NEAR: f64 = 0.8;
     let last = |name: &str| name.rsplit('.').next().unwrap_or_default().to_owned();
     // A limit is a most by itself: `limits.stack_bytes`, where others write `max_stack`.
@@ -249,7 +250,7 @@ mod tests {
         assert_eq!(read(NAME, "").expect("empty"), Settings::default());
     }
 
-    /// A field that is added to the options has to be named here, and so to get its key.
+    /// Lists all fields of the options, so that a new field must get a key here.
     #[test]
     fn every_option_has_a_key() {
         let text = "prefix = \"acme_\"\nheaders = \"acme\"\nstatus = \"motor\"\nhook = \"stop\"\nc_standard = \"gnu11\"\n\

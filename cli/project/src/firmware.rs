@@ -1,4 +1,4 @@
-//! The firmware around an entry point, as an example of it: variables that live as long, what sets them, the call in each
+//! Example firmware around an entry point: variables with static lifetime, their initialisation, and the call in each
 //! period.
 //!
 //! Invariant: the same C gives the same text. It must not know what the C computes.
@@ -9,21 +9,21 @@ use bessemer_backend::c::interface::{Entry, Interface, Struct, Value};
 use bessemer_backend::c::names::Passing;
 use bessemer_backend::c::{CFile, comment_text};
 
-/// An entry point as firmware calls it.
+/// An entry point in the form in which firmware calls it.
 pub struct Call<'f> {
     /// The entry point.
     pub entry: &'f Entry,
-    /// The variables that live as long as the firmware: the state, and data with defaults.
+    /// Variables with static lifetime: the state, and data with defaults.
     pub kept: Vec<(&'f str, &'f Value)>,
-    /// The memory that the call works in.
+    /// The work struct of the call.
     pub scratch: Option<(&'f str, &'f Value)>,
-    /// The others, which come new in each period, or leave in it.
+    /// Other variables, for inputs and outputs of each period.
     pub passing: Vec<(&'f str, &'f Value, Passing)>,
-    /// The statements that set those that are kept, one for each of them.
+    /// Statements that initialise the static variables, one for each.
     pub begin: Vec<String>,
 }
 
-/// The entry points that can be called without a length that only their caller knows.
+/// Returns the entry points that can be called without a length that only the caller knows.
 pub fn calls(face: &Interface) -> impl Iterator<Item = Call<'_>> {
     let fixed = |it: &&Entry| it.parameters.iter().all(|it| !it.value.dimensions.contains(&None));
     face.entries.iter().filter(fixed).map(|entry| {
@@ -48,7 +48,7 @@ pub fn calls(face: &Interface) -> impl Iterator<Item = Call<'_>> {
     })
 }
 
-/// `double place[3]`.
+/// Formats a declaration such as `double place[3]`.
 pub fn declared(name: &str, value: &Value) -> String {
     let dimensions: String =
         value.dimensions.iter().flatten().map(|count| format!("[{count}]")).collect();
@@ -56,7 +56,7 @@ pub fn declared(name: &str, value: &Value) -> String {
 }
 
 impl Call<'_> {
-    /// The call itself, with what it gives in `result`.
+    /// Formats the call, with its result in `result`.
     pub fn text(&self) -> String {
         let arguments = self.entry.parameters.iter().map(|it| {
             let by_address = it.passing != Passing::Value && it.value.dimensions.is_empty();
@@ -78,7 +78,7 @@ impl Call<'_> {
             .collect()
     }
 
-    /// The statements of one period: inputs, the call, what to do with its results. `indent` begins each line.
+    /// Formats the statements of one period: inputs, call, and use of the results. `indent` begins each line.
     pub fn period(&self, indent: &str) -> String {
         let mut text = String::new();
         if let Some((name, value)) = &self.scratch {
@@ -114,7 +114,7 @@ impl Call<'_> {
         text
     }
 
-    /// A whole program around the call. `around` precedes the headers of the C, `wait` at the end of a period.
+    /// Formats a whole program around the call. `around` precedes the headers of the C, `wait` ends a period.
     pub fn main(&self, around: &str, wait: &str) -> String {
         let begin: String = self.begin.iter().map(|it| format!("    {it}\n")).collect();
         format!(
@@ -128,7 +128,7 @@ impl Call<'_> {
     }
 }
 
-/// Returns true if a value is one number, and no enum or struct.
+/// Returns true if a value is a single number, not an enum or a struct.
 fn is_number(value: &Value) -> bool {
     let known = ["bool", "float", "double"].contains(&value.ty.as_str());
     value.dimensions.is_empty() && (known || value.ty.contains("int"))

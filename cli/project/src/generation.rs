@@ -38,11 +38,11 @@ pub struct Generated {
 
 /// The texts that a generation prints.
 pub struct Said {
-    /// Goes to standard output.
+    /// Text for standard output.
     pub text: String,
-    /// Goes to standard error.
+    /// Text for standard error.
     pub remarks: String,
-    /// Tells whether the C is as it should be.
+    /// True if the C is as it should be.
     pub good: bool,
 }
 
@@ -150,20 +150,21 @@ pub fn parameter_tables(project: &Project, compiled: &Compiled) -> Vec<CFile> {
 
 /// A measured or bounded figure of the C, and its limit.
 pub struct Figure {
-    /// The most, if there is a limit.
+    /// Upper limit, if there is one.
     pub limit: Option<Limit>,
     /// The function or the C that the figure is of, in the form that begins a sentence: `` `motor_step` ``.
     pub whose: String,
-    /// Amount found.
+    /// Value of the figure.
     pub found: u64,
-    /// Unit of the amount: `bytes of stack`.
+    /// Unit of the figure: `bytes of stack`.
     pub what: &'static str,
 }
 
-/// Holds figures to the limits of a project.
+/// Compares figures with the limits of a project.
 ///
 /// # Errors
-/// [`Error::Limit`] with all that are exceeded, each at its place in `bessemer.toml`.
+///
+/// [`Error::Limit`] with all exceeded limits, each at its place in `bessemer.toml`.
 pub fn hold(
     project: &Project,
     figures: impl Iterator<Item = Figure>,

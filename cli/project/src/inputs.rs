@@ -26,7 +26,7 @@ pub struct Source {
     pub target: String,
     /// Line in the file.
     pub line: u32,
-    /// Its parts; one, unless it is a list.
+    /// Parts of the source; one, unless it is a list.
     pub parts: Vec<Part>,
 }
 

@@ -1,4 +1,4 @@
-//! `interface.json`: the face of the C for tools of any kind, described by `docs/interface.schema.json`.
+//! `interface.json`: a description of the C's interface for tools, in the form of `docs/interface.schema.json`.
 //!
 //! Invariant: the same C gives the same text. It must not know who reads it.
 
@@ -24,7 +24,7 @@ pub fn text(package: &str, face: &Interface) -> String {
     format!("{json:#}\n")
 }
 
-/// The beginning of each item of the description: its name, the header that declares it, its comment.
+/// The first members of each item: its name, the header that declares it, its comment.
 fn item(name: &str, header: &str, docs: &[String]) -> Json {
     let mut json = json!({ "name": name, "header": header });
     add(&mut json, "comment", comment(docs));
@@ -112,7 +112,7 @@ fn comment(docs: &[String]) -> Option<Json> {
     (!docs.is_empty()).then(|| json!(docs.join("\n")))
 }
 
-/// Adds a member that is there.
+/// Adds a member if it has a value.
 fn add(json: &mut Json, name: &str, value: Option<Json>) {
     if let (Json::Object(members), Some(value)) = (json, value) {
         members.insert(name.to_owned(), value);

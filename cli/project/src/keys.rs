@@ -7,21 +7,21 @@ use crate::settings::{Limit, Settings};
 
 /// A key.
 pub struct Key {
-    /// Its name, with the section that it is in: `kernels.mode`.
+    /// Name of the key, with its section: `kernels.mode`.
     pub name: &'static str,
-    /// The values that it takes.
+    /// Permitted values.
     pub kind: Kind,
-    /// The value that holds without it, or words where there is none.
+    /// Default value, or a description of the default.
     pub default: &'static str,
     /// The effect, for the documentation.
     pub says: &'static str,
 }
 
-/// The form of a value, and the setting that it goes to.
+/// Form of a value, and the setting that it changes.
 pub enum Kind {
     /// Text of a form.
     Text(Form, fn(&mut Settings, String)),
-    /// One of these words; told is its place among them.
+    /// One of these words; the setting gets its index.
     Choice(&'static [&'static str], fn(&mut Settings, usize)),
     /// `true` or `false`.
     Flag(fn(&mut Settings, bool)),
@@ -42,16 +42,16 @@ pub enum Form {
     Folder,
     /// A folder below that of the C.
     Headers,
-    /// The beginning of a name of C.
+    /// The beginning of a C name.
     Prefix,
-    /// A name of C's that nobody has reserved.
+    /// A C name that is not reserved.
     Name,
     /// An SPDX expression.
     License,
 }
 
 impl Form {
-    /// A description, for an author who wrote something else.
+    /// A description of the form, for error messages.
     pub fn expected(self) -> &'static str {
         match self {
             Form::Folder => "a folder of its own, such as \"generated\" or \"../firmware/models\"",
@@ -102,10 +102,10 @@ impl Form {
     }
 }
 
-/// The most threads of a kernel, whose handles lie on the stack.
+/// Largest number of threads of a kernel, whose handles are on the stack.
 const THREADS: u32 = 64;
 
-/// Each key, in the order of the documentation.
+/// All keys, in the order of the documentation.
 pub const KEYS: &[Key] = &[
     Key {
         name: "output",

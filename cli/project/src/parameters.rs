@@ -1,11 +1,11 @@
-//! `bessemer_parameter_table.h` and `.c`: the parameters of the entry points as tables that firmware lists, reads and sets
-//! by number, so that a ground station can.
+//! `bessemer_parameter_table.h` and `.c`: tables of the entry points' parameters, by which firmware lists, reads and
+//! sets them by number, for a ground station.
 //!
 //! Parameters are the numbers in data that an entry point takes and that has a default. A number is read and set as a
-//! `double`, as ground stations send it; one that the parameter cannot hold is refused.
+//! `double`, as ground stations send it; a value that the parameter cannot represent is refused.
 //!
-//! Invariants: no table has a row by which setting a number could make a value that Rust has none of: the tag of an enum, the
-//! length of a list. The same C gives the same tables. It must not know what the C computes.
+//! Invariants: no row can produce a value that is invalid in Rust, so the tag of an enum and the length of a list
+//! have no row. The same C gives the same tables. It must not know what the C computes.
 
 use std::fmt::Write as _;
 
@@ -15,36 +15,36 @@ use bessemer_codegen::compile::Options;
 
 /// A parameter: one number, or the elements of an array or a matrix.
 pub struct Row {
-    /// Its way in the struct: `axes[2].gain`.
+    /// Path in the struct: `axes[2].gain`.
     pub name: String,
-    /// The C type of an element.
+    /// C type of an element.
     pub ty: &'static str,
     /// Number of elements.
     pub count: u32,
-    /// Its unit.
+    /// Unit of the parameter.
     pub unit: Option<String>,
-    /// The least number that it takes: of its range, or of its type.
+    /// Lower limit: of its range, or of its type.
     pub low: f64,
-    /// The greatest.
+    /// Upper limit.
     pub high: f64,
-    /// Offset in the struct.
+    /// Offset in the struct, bytes.
     pub offset: Bytes,
-    /// Bytes of an element.
+    /// Size of an element, bytes.
     pub size: u32,
 }
 
 /// A type of numbers.
 struct Number {
-    /// In C.
+    /// Name of the type in C.
     ty: &'static str,
-    /// The end of its enumerator.
+    /// Suffix of its enumerator.
     name: &'static str,
     size: u32,
     low: f64,
     high: f64,
 }
 
-/// The greatest number up to which a `double` has every whole one.
+/// The number up to which `double` represents every whole number.
 const EXACT: f64 = 9007199254740991.0;
 
 const NUMBERS: [Number; 11] = [
@@ -93,7 +93,7 @@ fn row(leaf: &Leaf<'_>) -> Option<Row> {
     })
 }
 
-/// The two files, or none where there is no parameter.
+/// Returns the two files; `None` if there is no parameter.
 pub fn files(face: &Interface, options: &Options, license: &str) -> Vec<CFile> {
     let stem = &options.status;
     let tables: Vec<_> = tables(face).collect();
@@ -117,7 +117,7 @@ pub fn files(face: &Interface, options: &Options, license: &str) -> Vec<CFile> {
     vec![file(header_name.clone(), header(&tables)), file(source_name.clone(), source(&tables))]
 }
 
-/// The beginning of the names of a struct's table: `gains` of `gains_t`.
+/// Returns the prefix of the names of a struct's table: `gains` for `gains_t`.
 fn own(of: &Struct) -> &str {
     of.name.strip_suffix("_t").unwrap_or(&of.name)
 }
@@ -315,7 +315,7 @@ static void set(@stem@_parameter_type_t type, unsigned char *bytes, double numbe
     )
 }
 
-/// A table and its functions.
+/// Formats a table and its functions.
 fn table(of: &Struct, rows: &[Row]) -> String {
     let (own, ty) = (own(of), &of.name);
     let upper = own.to_uppercase();
@@ -367,7 +367,7 @@ bool {own}_parameter_set({ty} *self, size_t index, size_t element, double value)
     )
 }
 
-/// A string of C's.
+/// Formats a string literal in C.
 fn quoted(text: &str) -> String {
     let text = text.replace('\\', "\\\\").replace('"', "\\\"").replace('?', "\\?");
     format!("\"{text}\"")

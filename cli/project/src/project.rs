@@ -23,7 +23,7 @@ pub struct Project {
     pub package: Member,
     /// The `bessemer.toml` that holds for it, if there is one.
     pub file: Option<PathBuf>,
-    /// Its settings.
+    /// Settings in that `bessemer.toml`, or the defaults.
     pub settings: Settings,
 }
 

@@ -48,13 +48,13 @@ const LOCALS: &[&str] = &[
 /// The package.
 #[derive(Debug, Serialize)]
 pub struct Package {
-    /// Its name, in small letters.
+    /// Name of the package, in small letters.
     pub name: String,
-    /// Its name in capitals.
+    /// Name of the package in capitals.
     pub upper: String,
-    /// Its name in capitalised words.
+    /// Name of the package in capitalised words.
     pub class: String,
-    /// Its version.
+    /// Version of the package.
     pub version: String,
     /// The SPDX expression of the C.
     pub license: String,
@@ -93,13 +93,13 @@ pub struct MessageIds {
 /// A component.
 #[derive(Debug, Serialize)]
 pub struct Component {
-    /// Its name in the C, without `_t`.
+    /// Name of the component in the C, without `_t`.
     pub name: String,
-    /// Its name in capitals.
+    /// Name of the component in capitals.
     pub upper: String,
-    /// Its name in capitalised words.
+    /// Name of the component in capitalised words.
     pub class: String,
-    /// Its name in Rust.
+    /// Name of the component in Rust.
     pub rust: String,
     /// Variables that live as long as the firmware.
     pub kept: Vec<Kept>,
@@ -107,16 +107,16 @@ pub struct Component {
     pub begun: Vec<Kept>,
     /// Headers of its entry points.
     pub headers: Vec<String>,
-    /// Its entry points.
+    /// Entry points of the component.
     pub entries: Vec<Entry>,
 }
 
 /// A variable that lives as long as the firmware.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Kept {
-    /// Its type.
+    /// Type of the variable.
     pub ty: String,
-    /// Its name.
+    /// Name of the variable.
     pub name: String,
     /// The function that sets it; none for the memory that calls work in.
     pub set_by: Option<String>,
@@ -125,17 +125,17 @@ pub struct Kept {
 /// An entry point.
 #[derive(Debug, Serialize)]
 pub struct Entry {
-    /// Its name.
+    /// Name of the entry point.
     pub name: String,
-    /// Its name in capitals.
+    /// Name of the entry point in capitals.
     pub upper: String,
-    /// Its name in capitalised words.
+    /// Name of the entry point in capitalised words.
     pub class: String,
-    /// Its name in Rust.
+    /// Name of the entry point in Rust.
     pub rust: String,
     /// The author's first line about it.
     pub docs: String,
-    /// Its header.
+    /// Header of the entry point.
     pub header: String,
     /// The name that PX4 and ROS derive from its message of inputs.
     pub input_topic: String,
@@ -172,9 +172,9 @@ pub struct Entry {
 /// A variable of one call.
 #[derive(Debug, Serialize)]
 pub struct Local {
-    /// Its declaration.
+    /// Declaration of the variable.
     pub line: String,
-    /// Its name.
+    /// Name of the variable.
     pub name: String,
 }
 

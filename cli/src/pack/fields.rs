@@ -1,7 +1,7 @@
-//! The fields of a message: the numbers that an entry point takes or returns, structs flattened.
+//! The fields of a message: the numbers that an entry point takes or returns, with structs flattened.
 //!
-//! Invariants: the names of one message are unique, in small letters, without two `_` side by side; a value that no
-//! field can hold is listed. It must not know any system.
+//! Invariants: the names of a message are unique, in lower case, and without two consecutive `_`; a value that no
+//! field can contain is listed. It must not know any system.
 
 use std::collections::BTreeSet;
 
@@ -11,9 +11,9 @@ use serde::Serialize;
 /// A field of a message.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Field {
-    /// Its name in the message.
+    /// Name of the field in the message.
     pub name: String,
-    /// Its name in capitalised words.
+    /// Name of the field in capitalised words.
     pub class: String,
     /// Place of its value in the C: `measurement.speed`.
     pub place: String,

@@ -1,8 +1,8 @@
-//! `cargo bessemer pack`: writes the C as a part of a firmware's own system, such as a module, a library, a component or
+//! `cargo bessemer pack`: writes the C as a part of a firmware's system, such as a module, a library, a component or
 //! a node.
 //!
-//! Invariants: the folder is whole by itself; the same C gives the same folder; a parameter that no message holds is
-//! listed as left out. The systems are data ([`systems`]). It must not know what the C computes.
+//! Invariants: the folder is complete; the same C gives the same folder; a parameter that no message can contain is
+//! listed as omitted. The systems are data ([`systems`]). It must not know what the C computes.
 
 mod context;
 mod fields;

@@ -23,9 +23,9 @@ pub struct Form {
 pub struct Template {
     /// Number of files.
     pub each: Each,
-    /// Its path.
+    /// Path of the template.
     pub path: &'static str,
-    /// Its text.
+    /// Text of the template.
     pub text: &'static str,
 }
 

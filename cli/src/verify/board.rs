@@ -1,7 +1,7 @@
-//! The C on a board of the user's own, over a serial line: the sources of its firmware, and the board's answers.
+//! The C on the user's own board, over a serial line: the sources of its firmware, and the board's answers.
 //!
-//! Invariant: the firmware holds every entry point that can be called with words, in the order of the module, so that one
-//! firmware answers whichever of them are requested.
+//! Invariant: the firmware contains every entry point that can be called with words, in the order of the module, so
+//! that one firmware can answer any request.
 
 use std::path::Path;
 

@@ -1,6 +1,6 @@
-//! The C on an emulated processor: its words, and their cost in instructions, stack and code.
+//! The C on an emulated processor: its results, and its cost in instructions, stack and code.
 //!
-//! Instructions and stack are the most of any call; the size is that of all the C, whoever calls it.
+//! Instructions and stack are the maxima over all calls; the size is that of all the C.
 
 use std::fmt::Write as _;
 
@@ -16,9 +16,9 @@ use bessemer_legs::outcome::Outcome;
 
 /// A processor with its compiler and emulator.
 pub struct Processor {
-    /// Its name in the command's output.
+    /// Name of the processor in the command's output.
     pub name: &'static str,
-    /// Its compiler and emulator.
+    /// Compiler and emulator for the processor.
     pub toolchain: Toolchain,
 }
 

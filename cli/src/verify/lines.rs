@@ -1,6 +1,7 @@
-//! The lines of an entry point that no call ran: what agrees on every leg agrees there for want of inputs.
+//! The lines of an entry point that no call executed. They show where the legs could not differ, because inputs were
+//! missing.
 //!
-//! Invariant: only lines of authors are reported, and only those on which no statement ran.
+//! Invariant: only lines of authors are reported, and only those of which no statement was executed.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

@@ -1,7 +1,8 @@
 //! `cargo bessemer verify`: calls each entry point on each leg and compares the words of Rust, interpreter and C.
+//!
 //! Inputs are edge values, sequences of small numbers, and sequences around the constants of the code.
 //!
-//! Invariant: a leg that is missing is named; what was not called is named, and so are lines that no call ran.
+//! Invariant: the output names missing legs, entry points that were not called, and lines that no call executed.
 
 mod board;
 mod emulated;
@@ -33,9 +34,11 @@ pub(crate) use emulated::machine;
 use crate::args::Verify;
 use crate::error::Error;
 
-/// Calls of each entry point with edge values, as many in a life of small numbers, and as many around the numbers in its code.
+/// Number of calls of each entry point with edge values, in a sequence of small numbers, and in sequences around the
+/// constants of its code.
 const CALLS: usize = 100;
-/// So many calls make a life around those numbers: a fault that is kept must not end them all.
+/// Number of calls in one sequence around the constants. A sequence is short, since a component that faults stays in
+/// the fault state.
 const LIFE: usize = 20;
 
 /// An entry point, and what the interpreter makes of each call.

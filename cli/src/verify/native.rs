@@ -1,8 +1,8 @@
-//! The Rust of a package as a leg: the text of a program around its entry points, words in, words out.
+//! The Rust of a package as a leg: the text of a program that reads calls and writes results as words.
 //!
-//! It reads which entry, the words of the component and of the arguments; it writes 0 and the words of the result, of the
-//! component and of each argument that the call may change, or, of a panic, one more than the bytes of its message, and
-//! these in words. It ends with its input.
+//! A call is the index of an entry point and the words of the component and the arguments. The answer is 0 and the
+//! words of the result, of the component and of each argument that the call may change. After a panic it is one more
+//! than the length of the message, and the bytes of the message in words. The program ends with its input.
 
 use std::fmt::Write as _;
 
@@ -45,7 +45,8 @@ fn call<T: Plain>(call: impl FnOnce() -> T) -> Option<T> {
 }
 "#;
 
-/// The program, a line for each of these entry points: the lines count from that of the first.
+/// Returns the program with one line for each of these entry points; error messages count lines from the first of
+/// them.
 pub fn program(module: &Module, entries: &[&Function]) -> (String, usize) {
     let mut text = SUPPORT.to_owned();
     let first = text.lines().count() + 1;

@@ -1,7 +1,7 @@
-//! Writes a replayed recording as CSV: a row for each call, with what went in, what came out, and the state behind it.
+//! Writes a replayed recording as CSV: a row for each call, with its inputs, its outputs and the state after it.
 //!
-//! Inputs have the names by which `--inputs` reads them, so that the file is a recording itself; the names of the rest begin
-//! with `out:`, which no name of Rust does.
+//! Inputs have the names that `--inputs` expects, so the file is a valid recording itself. The names of the other
+//! columns begin with `out:`, which is no name in Rust.
 
 use bessemer_ir::{Mode, Module};
 

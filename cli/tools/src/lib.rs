@@ -6,25 +6,25 @@
 
 use std::process::{Command, Stdio};
 
-/// A program.
+/// A program and the packages that contain it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Program {
-    /// As it is called.
+    /// Name of the program.
     pub name: &'static str,
-    /// The packages of Debian's that bring it, and without which it cannot do its work.
+    /// Debian packages of the program and of everything that it needs.
     pub packages: &'static [&'static str],
 }
 
-/// A program of this name from these packages.
+/// Describes a program.
 const fn program(name: &'static str, packages: &'static [&'static str]) -> Program {
     Program { name, packages }
 }
 
-/// The compiler of this machine.
+/// The first compiler for this machine, gcc.
 pub const GCC: Program = program("gcc", &["gcc", "libc6-dev"]);
-/// The other compiler of this machine.
+/// The second compiler for this machine, clang.
 pub const CLANG: Program = program("clang", &["clang", "libc6-dev"]);
-/// Builds what a Makefile says.
+/// Builds by a Makefile.
 pub const MAKE: Program = program("make", &["make"]);
 /// Builds firmware.
 pub const CMAKE: Program = program("cmake", &["cmake"]);

@@ -53,7 +53,7 @@ pub struct Field {
     pub name: String,
     /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
-    /// Its type.
+    /// Type of the field.
     pub ty: Type,
     /// Author's attributes for the C.
     pub given: Given,

@@ -88,7 +88,7 @@ pub struct Const {
     pub name: String,
     /// Rust module of its definition if the DSL sees it, else of its first use.
     pub module: String,
-    /// Its type.
+    /// Type of the constant.
     pub ty: Type,
     /// Words of its value, in the order of [`Module::leaves`].
     pub words: Vec<u64>,
@@ -148,7 +148,7 @@ pub struct Function {
     pub module: String,
     /// Type of which it is a method or an associated function.
     pub owner: Option<Owner>,
-    /// Its role for its callers.
+    /// Role of the function for its callers.
     pub role: Role,
     /// Author's attributes for the C.
     pub attributes: Attributes,
@@ -228,7 +228,7 @@ pub struct Block(pub Vec<Stmt>);
 /// A statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stmt {
-    /// Its kind.
+    /// Kind of the statement.
     pub kind: StmtKind,
     /// Span of the start.
     pub span: Span,
@@ -244,7 +244,7 @@ pub enum StmtKind {
     Let {
         /// The local.
         local: LocalId,
-        /// Its first value.
+        /// Initial value of the local.
         value: Option<Expr>,
     },
     /// Writes `value` to `place`: the value is evaluated first, then the indices of the place.
@@ -344,7 +344,7 @@ pub enum Fault {
 pub struct Arm {
     /// Integers, or indices of variants; at least one.
     pub values: Vec<i128>,
-    /// Its statements.
+    /// Statements of the arm.
     pub body: Block,
 }
 

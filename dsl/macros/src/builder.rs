@@ -23,9 +23,9 @@ pub struct Subject<'a> {
     pub attributes: &'a [syn::Attribute],
     /// Visibility of the function.
     pub visibility: &'a syn::Visibility,
-    /// Its signature.
+    /// Signature of the function.
     pub signature: &'a syn::Signature,
-    /// Its body.
+    /// Body of the function.
     pub body: &'a syn::Block,
     /// Role, and attributes for the C.
     pub asked: Asked,

@@ -302,7 +302,7 @@ pub enum Floats {
 }
 
 impl Floats {
-    /// Returns the trait of its methods.
+    /// Returns the DSL's trait with the methods of types with this bound.
     pub fn methods(self) -> TokenStream {
         match self {
             Floats::Number => quote! { AnyFloatMethods },

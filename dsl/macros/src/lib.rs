@@ -203,7 +203,7 @@ pub fn external(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// ```
 /// use bessemer::prelude::*;
 ///
-/// /// What the valve is reported.
+/// /// A valve with a position.
 /// #[data]
 /// #[c(name = "Valve_t")]
 /// #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -35,7 +35,7 @@ pub struct Copy<'a> {
 }
 
 impl Copy<'_> {
-    /// Returns the parts, each of which reports the types of its slots to `__told`.
+    /// Returns the parts of the copy. Each records the types of its slots in `__told`.
     pub fn parts(&self, walk: &Lowering) -> TokenStream {
         let ends = ends(&walk.begins);
         let last = ends.len() - 1;

@@ -123,7 +123,7 @@ pub(super) fn said(said: Option<Said>) -> Given {
 pub struct Defaults<T>(core::marker::PhantomData<T>);
 
 impl<T> Defaults<T> {
-    /// Returns the query.
+    /// Creates the query for the type `T`.
     pub fn of() -> Defaults<T> {
         Defaults(core::marker::PhantomData)
     }

@@ -107,7 +107,7 @@ fn angle_of_ratio(height: f64, width: f64, ratio: f64) -> Pair {
     }
 }
 
-/// [`angle_of_ratio`] for a ratio below 1/16, and from 16 on.
+/// Angle of a point in the first quadrant, as two doubles, for a `ratio` below 1/16 or from 16 on.
 #[function]
 pub fn far_angle(height: f64, width: f64, ratio: f64) -> Pair {
     if ratio < 1.0 {

@@ -99,7 +99,7 @@ pub fn step(steps: u64) -> f64 {
     f64::from_bits(((upper as u64) << 32) | (bits & 0xffff_ffff))
 }
 
-/// The rounding error of [`step`], as a fraction of it.
+/// The rounding error of the double nearest to 2^(`steps`/128), as a fraction of it.
 #[inline]
 #[function]
 pub fn step_rest(steps: u64) -> f64 {

@@ -89,7 +89,7 @@ builtins! {
         Elements,
         /// Vector of the components with these indices; the second value is their number.
         Swizzle([u8; 3], u8),
-        /// A part in place.
+        /// A row, column or block as a place, which can be written.
         Part(MatrixPart),
     }
 

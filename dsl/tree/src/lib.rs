@@ -155,7 +155,7 @@ pub struct FunctionTree {
     pub site: Site,
     /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
-    /// Its role for its callers.
+    /// Role of the function for its callers.
     pub role: Role,
     /// Author's attributes for the C.
     #[serde(default)]
@@ -264,7 +264,7 @@ pub enum Stmt {
 /// An expression.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Expr {
-    /// Its kind.
+    /// Kind of the expression.
     pub kind: ExprKind,
     /// Site of the expression.
     pub site: Site,

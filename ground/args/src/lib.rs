@@ -1,8 +1,8 @@
-//! The command lines of the ground station: what can be asked, and the help that teaches it.
+//! The command lines of the ground station: commands, arguments and help texts.
 //!
-//! A crate of its own, so that xtask gives help and refuses what is mistyped at once, without building the testbed.
+//! A separate crate, so that xtask can print help and report mistakes without building the testbed.
 //!
-//! Invariant: only data and help texts; nothing is done here.
+//! Invariant: only data and help texts; nothing is executed here.
 
 use clap::{Args, Subcommand, ValueEnum};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
@@ -100,7 +100,7 @@ pub struct Replay {
 }
 
 impl Task {
-    /// The features that the ground station has to be built with for this.
+    /// The cargo features of the ground station that these arguments need.
     pub fn features(&self) -> Vec<&'static str> {
         match self {
             Self::Fly(wanted) => [("foxglove", wanted.foxglove), ("mavlink", wanted.mavlink)]
@@ -123,7 +123,7 @@ pub enum Machine {
     Zynq,
 }
 
-/// `5%` or `0.05`.
+/// Parses a share such as `5%` or `0.05`.
 fn share(text: &str) -> Result<f64, String> {
     let (number, unit) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 0.01));
     let value: f64 = number.trim().parse().map_err(|_| format!("`{text}` is no share: try 5%"))?;

@@ -1,6 +1,6 @@
-//! A flight for Foxglove while it is flown: the channels of its recording, over Foxglove's WebSocket protocol.
+//! Shows a flight in Foxglove while it is flown: the channels of the recording, over Foxglove's WebSocket protocol.
 //!
-//! Foxglove only watches: it is offered nothing to command with.
+//! Foxglove only observes: it is offered nothing with which it could command.
 
 use super::Tool;
 use crate::bench::Period;
@@ -14,7 +14,7 @@ use sim::recording::{channels, log_time, messages};
 use std::net::SocketAddr;
 use std::sync::Arc;
 
-/// Messages that a slow Foxglove may be behind before it misses the oldest: two seconds.
+/// Number of messages that a slow Foxglove may lag behind before the oldest are dropped: two seconds.
 const QUEUE_LENGTH: usize = 1024;
 
 /// The server for Foxglove.
@@ -28,10 +28,11 @@ pub struct Foxglove {
 }
 
 impl Foxglove {
-    /// Binds, and serves from threads of its own.
+    /// Binds to an address, and serves from its own threads.
     ///
     /// # Errors
-    /// The address is taken.
+    ///
+    /// The address is in use.
     pub fn start(address: SocketAddr) -> Result<Self, FoxgloveError> {
         let context = Context::new();
         let channel = |it: sim::recording::Channel| {

@@ -1,7 +1,7 @@
-//! The tools that people have: Foxglove, and whatever speaks MAVLink.
+//! External tools: Foxglove, and ground stations that use MAVLink.
 //!
-//! Each is a feature of this package, since what it is built from is larger than the rest of the ground station.
-//! Invariant: none of them makes the testbed wait.
+//! Each is a feature of this package, since its dependencies are larger than the rest of the ground station.
+//! Invariant: a tool never makes the testbed wait.
 
 #[cfg(feature = "foxglove")]
 pub mod foxglove;

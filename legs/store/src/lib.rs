@@ -1,11 +1,10 @@
 //! Store of compiled objects and passed checks, keyed by everything on which they depend.
 //!
-//! A key is a hash of everything that decides what is made; so what is found is what would be made. Where nothing may be
-//! left out (`BESSEMER_FULL`) nothing is found, and nothing stored. `BESSEMER_STORE` names another folder than the workspace's
-//! target folder: a copy of the workspace finds there what the workspace made. It stores nothing there, since what it makes
-//! may name files of the copy.
+//! A key is a hash of all inputs, so a stored result equals a new one. In a complete run (`BESSEMER_FULL`) nothing is
+//! read or stored. `BESSEMER_STORE` names the store of another workspace: a copy of a workspace reads the results of
+//! the original. It stores nothing there, since its results may name files of the copy.
 //!
-//! Invariant: what is stored appears whole or not at all.
+//! Invariant: an entry appears completely or not at all.
 //!
 //! What it must not know: what it stores.
 
@@ -19,7 +18,7 @@ mod passed;
 
 pub use passed::once;
 
-/// The root of the workspace.
+/// Returns the root of the workspace.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
@@ -34,24 +33,25 @@ pub fn place(kind: &str, content: &impl Hash) -> Option<PathBuf> {
     Some(folder.join(kind).join(name(content)))
 }
 
-/// The store of another workspace.
+/// Returns the store of another workspace, if one is configured.
 fn lent() -> Option<PathBuf> {
     std::env::var_os("BESSEMER_STORE").map(PathBuf::from)
 }
 
-/// A name that moves with the content.
+/// Returns a name that depends on the content.
 pub fn name(content: &impl Hash) -> String {
     format!("{:016x}{:016x}", hash(content, 0), hash(content, 1))
 }
 
-/// Copies what is stored to `made`; whether there was something.
+/// Copies a stored entry to `made`; returns false if there is none.
 pub fn fetch(stored: &Path, made: &Path) -> bool {
     std::fs::copy(stored, made).is_ok()
 }
 
-/// Stores what was made, unless the store is another's.
+/// Stores an entry, unless the store is another workspace's.
 ///
 /// # Errors
+///
 /// An error of the file system.
 pub fn store(made: &Path, stored: &Path) -> std::io::Result<()> {
     if lent().is_some() {
@@ -65,7 +65,7 @@ pub fn store(made: &Path, stored: &Path) -> std::io::Result<()> {
     Ok(())
 }
 
-/// A compiler's words about itself, asked once.
+/// Returns the version that a compiler reports; it is run once.
 pub fn version(compiler: &str) -> Option<String> {
     static VERSIONS: LazyLock<Mutex<BTreeMap<String, Option<String>>>> =
         LazyLock::new(Mutex::default);

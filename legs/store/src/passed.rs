@@ -1,13 +1,13 @@
-//! Checks that have passed: none is made again while all that decides it is as it was.
+//! Checks that have passed, which are not repeated while everything on which they depend is unchanged.
 //!
-//! A check of emitted C is decided by the C, which its caller hands over, and by what is not the compiler: the model
-//! as rustc compiles it, the test, the interpreter, the compilers and emulators, the processor, the settings of the
-//! run. After a change of the compiler the C of most programs is as before, and so is what each leg makes of it.
+//! A check of emitted C depends on the C, which the caller provides, and on everything except the compiler: the model
+//! as rustc compiles it, the test, the interpreter, the compilers and emulators, the processor, and the settings of
+//! the run. A change of the compiler leaves the C of most programs unchanged, and so their checks remain valid.
 //!
-//! Invariants: only what passed is stored; in a full run nothing is, nor where a source is younger than the program that
-//! checks, which was built of an older one.
+//! Invariants: only passed checks are stored; none is stored in a complete run, or if a source is newer than the test
+//! program.
 //!
-//! What it must not know: what a check is about.
+//! What it must not know: the subject of a check.
 
 use std::collections::BTreeMap;
 use std::hash::Hash;
@@ -17,11 +17,12 @@ use std::time::SystemTime;
 
 use crate::{lent, name, place, root, version};
 
-/// Makes a check, unless it has passed with the same content. `content` is all that the compiler made for it; `title`
-/// tells it from other checks of the same content.
+/// Makes a check, unless it has passed with the same content. `content` is all that the compiler produced for it;
+/// `title` distinguishes it from other checks of that content.
 ///
 /// # Panics
-/// If the check does.
+///
+/// If the check panics.
 pub fn once(title: &str, content: &impl Hash, check: impl FnOnce()) {
     let stored = SURROUNDINGS.as_ref().and_then(|it| place("passed", &(title, content, it)));
     if stored.as_ref().is_some_and(|it| it.exists()) {
@@ -36,7 +37,8 @@ pub fn once(title: &str, content: &impl Hash, check: impl FnOnce()) {
     }
 }
 
-/// All that decides a check beside what the compiler made: a hash. None where nobody knows what the program was built of.
+/// Hash of everything besides the compiler's output on which a check depends. `None` if the sources of the test
+/// program are unknown.
 static SURROUNDINGS: LazyLock<Option<String>> = LazyLock::new(|| {
     let program = std::env::current_exe().ok()?;
     let built = program.metadata().and_then(|it| it.modified()).ok()?;
@@ -58,7 +60,7 @@ static SURROUNDINGS: LazyLock<Option<String>> = LazyLock::new(|| {
     Some(name(&(profile, settings, versions, processor, texts)))
 });
 
-/// Variables by which others find their programs, and rustc its flags.
+/// Environment variables that decide which programs are found, and rustc's flags.
 const SETTINGS: [&str; 3] = ["PATH", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS"];
 
 /// The programs that checks run, and rustc, which compiles the models.
@@ -79,8 +81,8 @@ const PROGRAMS: [&str; 14] = [
     "python3",
 ];
 
-/// Folders whose content decides no check: what the compiler is made of and what it makes, which is handed over; and pages.
-/// Snapshots neither.
+/// Folders without influence on checks: the sources of the compiler, whose output is part of the key, and pages.
+/// Snapshots have none either.
 const LEFT_OUT: [&str; 10] = [
     "target",
     "docs",
@@ -94,7 +96,8 @@ const LEFT_OUT: [&str; 10] = [
     "xtask",
 ];
 
-/// The files of a folder, each with its content: those that are not left out. None if a source in Rust is younger than `built`.
+/// Returns the files of a folder with their contents, without those that are left out. `None` if a Rust source is
+/// newer than `built`.
 fn texts(root: &Path, built: SystemTime) -> Option<BTreeMap<PathBuf, Vec<u8>>> {
     let mut texts = BTreeMap::new();
     let mut open = vec![PathBuf::new()];

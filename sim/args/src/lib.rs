@@ -1,8 +1,8 @@
-//! The command lines of the simulation: what can be asked, and the help that teaches it.
+//! The command lines of the simulation: commands, arguments and help texts.
 //!
-//! A crate of its own, so that xtask gives help and refuses what is mistyped at once, without building the plant.
+//! A separate crate, so that xtask can print help and report mistakes without building the plant.
 //!
-//! Invariant: only data and help texts; nothing is done here.
+//! Invariant: only data and help texts; nothing is executed here.
 
 use clap::{Args, Subcommand, ValueEnum};
 use std::path::PathBuf;

@@ -22,7 +22,7 @@ use sim::computer::Computer;
 /// Timeout of an answer, emulated on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// Start of the C that moves values over the line.
+/// Beginning of the C that transfers values over the line.
 const WORDS: &str = "\
 /* Written from the models: see words.h. */
 #include \"words.h\"
@@ -37,7 +37,7 @@ const WORDS: &str = "\
 
 ";
 
-/// Start of the C that adds up the state.
+/// Beginning of the C that hashes the state.
 const DIGESTS: &str = "\
 /* Written from the models: see words.h. */
 #include \"words.h\"
@@ -60,10 +60,11 @@ pub struct Loaded {
 }
 
 impl Loaded {
-    /// Builds the firmware of `examples/zynq` around the C of the models.
+    /// Builds the firmware of `examples/zynq` with the C of the models.
     ///
     /// # Errors
-    /// What the compiler or the system said, or that the models have no onboard software.
+    ///
+    /// The message of the compiler or the system, or that the models have no onboard software.
     pub fn zynq(compiled: &Compiled, toolchain: &Toolchain) -> Result<Self, Error> {
         let module = &compiled.explicit;
         let lacking = || Error::Compile("the models have no onboard software".into());
@@ -100,10 +101,11 @@ impl Loaded {
         self.firmware.sizes()
     }
 
-    /// Turns the emulated machine on; `through`: what its serial line goes through.
+    /// Starts the emulated machine; `through` wraps its serial line.
     ///
     /// # Errors
-    /// What the system said; [`lockstep::Error`] as text, if the software does not say that it is there.
+    ///
+    /// The message of the system; [`lockstep::Error`] as text, if the software does not answer.
     pub fn start<L: Read + Write>(
         &self,
         through: impl FnOnce(UnixStream) -> L,
@@ -121,7 +123,7 @@ pub struct Board<L> {
     settings: Option<Settings>,
     digest: u64,
     failure: Option<lockstep::Error>,
-    /// The machine.
+    /// The emulated machine.
     pub machine: Machine,
 }
 
@@ -131,7 +133,7 @@ impl<L: Read + Write> Board<L> {
         self.failure.as_ref()
     }
 
-    /// Its serial line.
+    /// Returns the serial line.
     pub fn line(&mut self) -> &mut L {
         self.lockstep.line()
     }
@@ -139,7 +141,8 @@ impl<L: Read + Write> Board<L> {
     /// Returns the use of the stack.
     ///
     /// # Errors
-    /// What is wrong with line or board.
+    ///
+    /// The error of the line or the board.
     pub fn stack(&mut self) -> Result<Stack, lockstep::Error> {
         self.lockstep.stack()
     }

@@ -1,4 +1,4 @@
-//! The onboard software as C, in a process.
+//! The onboard software as C, in a separate process.
 
 use bessemer::Plain;
 use bessemer_codegen::compile::Compiled;
@@ -25,9 +25,10 @@ impl Emitted {
         Ok(Self { process: Process::start(compiled, step, toolchain)?, words: Vec::new() })
     }
 
-    /// Back to the initial state, for another flight.
+    /// Restarts the process in the initial state, for another flight.
     ///
     /// # Errors
+    ///
     /// An error of the system.
     pub fn restart(&mut self, toolchain: &Toolchain) -> Result<(), Error> {
         self.process.restart(toolchain)

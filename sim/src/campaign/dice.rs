@@ -1,7 +1,7 @@
-//! The scenario of a seed.
+//! The random scenario of a seed.
 //!
-//! Everything that the software takes for known is wrong by up to 10 %: mass, inertia, arm, air, each
-//! propeller. Noise, lag, air, trajectory, Vicon's outages and the start are chance, too.
+//! The software's assumptions are wrong by up to 10 %: mass, inertia, arm, air, each propeller. Noise, lag, air,
+//! trajectory, Vicon's outages and the start are random, too.
 
 use crate::noise::{Purpose, Stream};
 use crate::plant::State;
@@ -11,10 +11,10 @@ use models::{Airframe, Mode};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-/// When the landing begins, s.
+/// Start of the landing, s.
 const LANDING: f64 = 28.0;
 
-/// The flight of a seed, in which nothing breaks.
+/// Returns the scenario of a seed without a failure.
 pub fn scenario(seed: u64) -> Scenario {
     let mut dice = Stream::new(seed, Purpose::Dice);
     let points = [
@@ -46,7 +46,7 @@ pub fn scenario(seed: u64) -> Scenario {
     scenario
 }
 
-/// The flight of a seed, in which something breaks.
+/// Returns the scenario of a seed with a failure.
 pub fn failing(seed: u64) -> Scenario {
     let mut scenario = scenario(seed);
     let mut dice = Stream::new(seed ^ 0x5EED_FA11, Purpose::Dice);

@@ -1,26 +1,27 @@
-//! The flights of a campaign in a file, a line each, written as they end.
+//! The results of a campaign in a file, one line for each flight, written when it ends.
 //!
-//! A campaign that is killed has lost the flights in the air, no other: the next one reads the lines that
-//! are whole, cuts off one that is not, and flies the seeds that are missing.
+//! A campaign that is killed loses only the flights in progress. The next one reads the complete lines, cuts off an
+//! incomplete one, and flies the missing seeds.
 
 use super::outcome::{HEADER, Outcome};
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::Path;
 
-/// An open file of outcomes.
+/// An open file of results.
 #[derive(Debug)]
 pub struct Ledger {
     file: File,
-    /// Outcomes found in the file.
+    /// Results found in the file.
     pub known: Vec<Outcome>,
 }
 
 impl Ledger {
-    /// Opens a file, or begins it.
+    /// Opens a file, or creates it.
     ///
     /// # Errors
-    /// What the file system said, or that the file is something else.
+    ///
+    /// The message of the file system, or that the file is something else.
     pub fn open(path: &Path) -> io::Result<Self> {
         let text = match std::fs::read_to_string(path) {
             Ok(text) => text,
@@ -41,9 +42,10 @@ impl Ledger {
         Ok(Self { file, known })
     }
 
-    /// Writes a flight down.
+    /// Appends the result of a flight.
     ///
     /// # Errors
+    ///
     /// An error of the file system.
     pub fn add(&mut self, outcome: &Outcome) -> io::Result<()> {
         self.file.write_all(format!("{}\n", outcome.line()).as_bytes())?;
@@ -51,7 +53,7 @@ impl Ledger {
     }
 }
 
-/// The flights in a text, in the order of their seeds, each once; lines that are not whole left out.
+/// Parses the results in a text, sorted by seed, without duplicates and incomplete lines.
 pub fn outcomes(text: &str) -> Vec<Outcome> {
     let whole = text.rfind('\n').map_or("", |end| &text[..end]);
     let mut all: Vec<Outcome> = whole.lines().filter_map(Outcome::of_line).collect();

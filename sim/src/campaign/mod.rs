@@ -1,4 +1,4 @@
-//! Very many flights: which chance makes of a seed, how each went, and what all of them come to.
+//! Campaigns of very many flights: random scenarios from seeds, the result of each flight, and a summary.
 //!
 //! | module | what it says |
 //! |---|---|
@@ -21,14 +21,14 @@ use rayon::prelude::*;
 /// Subject of a campaign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Nothing breaks: no flight may end badly.
+    /// Flights without failures: none may end badly.
     Spread,
-    /// Something breaks in each: every stop must be true, and none may be missed.
+    /// Flights with a failure: every stop must be justified, and none may be missing.
     Failures,
 }
 
 impl Kind {
-    /// The flight of a seed.
+    /// Flies the flight of a seed.
     pub fn fly(self, seed: u64) -> Outcome {
         match self {
             Self::Spread => outcome::of_spread(seed),
@@ -37,7 +37,7 @@ impl Kind {
     }
 }
 
-/// Flies the seeds on all cores; `done` hears of each flight as it ends, in any order.
+/// Flies the seeds on all cores; calls `done` with the result of each flight as it ends, in any order.
 pub fn fly(kind: Kind, seeds: &[u64], done: impl Fn(Outcome) + Sync) {
     seeds.par_iter().for_each(|seed| done(kind.fly(*seed)));
 }

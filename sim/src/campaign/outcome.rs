@@ -1,7 +1,7 @@
-//! Outcome of one flight, as figures in one line.
+//! The result of one flight, as figures in one line.
 //!
-//! The envelope is the truth's, not the software's: it is left when the aircraft leans, moves, goes or
-//! hits the ground as no flight should.
+//! The envelope refers to the true state, not to the software's estimate. The aircraft leaves it when its tilt,
+//! speed, distance or touch-down speed exceeds a limit.
 
 use super::dice;
 use crate::computer::Native;
@@ -21,22 +21,22 @@ const IMPACT: f64 = 0.8;
 /// Outcome of one flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// Its seed.
+    /// Seed of the flight.
     pub seed: u64,
     /// Failure that was injected; `nothing` without one.
     pub failure: String,
-    /// When it broke, s; infinite if nothing did.
+    /// Time of the failure, s; infinite without one.
     pub broke: f64,
     /// Alarm that stopped the motors.
     pub alarm: String,
-    /// When, s; infinite if nothing did.
+    /// Time of the stop, s; infinite without one.
     pub stopped: f64,
-    /// When the aircraft left the envelope, s; with failures, in a second flight whose crash predictor only
-    /// watches. Infinite if it did not.
+    /// Time when the aircraft left the envelope, s; infinite if it did not. With failures, it is that of a second
+    /// flight, in which the crash predictor does not act.
     pub left: f64,
-    /// Largest error of height from 5 s after each set point until the next, m.
+    /// Largest error of height from 5 s after each setpoint until the next, m.
     pub height: f64,
-    /// Largest distance in the plane likewise, m.
+    /// Largest distance in the plane in the same times, m.
     pub place: f64,
     /// Hardest touch-down, m/s.
     pub impact: f64,
@@ -44,12 +44,12 @@ pub struct Outcome {
     pub well: bool,
 }
 
-/// A flight in which nothing breaks.
+/// Flies the scenario of a seed without a failure.
 pub fn of_spread(seed: u64) -> Outcome {
     watched(&dice::scenario(seed), Outcome::new(seed))
 }
 
-/// Two flights in which something breaks: one with the crash predictor, one in which it only watches.
+/// Flies the scenario of a seed with a failure twice: with the crash predictor, and with one that does not act.
 pub fn of_failure(seed: u64) -> Outcome {
     let mut scenario = dice::failing(seed);
     let mut outcome = watched(&scenario, Outcome::new(seed));
@@ -63,7 +63,7 @@ pub fn of_failure(seed: u64) -> Outcome {
     outcome
 }
 
-/// Flies and looks, until the aircraft has left the envelope.
+/// Flies and observes, until the aircraft leaves the envelope.
 fn watched(scenario: &Scenario, mut outcome: Outcome) -> Outcome {
     follow(scenario, &mut Native::default(), |moment, _| {
         outcome.look(moment);
@@ -122,11 +122,11 @@ impl Outcome {
     }
 }
 
-/// The first line of a file of outcomes.
+/// The header line of a file of results.
 pub const HEADER: &str = "seed,failure,broke,alarm,stopped,left,height,place,impact,well";
 
 impl Outcome {
-    /// As a line.
+    /// Formats the result as a line.
     pub fn line(&self) -> String {
         let Self { seed, failure, broke, alarm, stopped, left, height, place, impact, well } = self;
         format!(
@@ -134,7 +134,7 @@ impl Outcome {
         )
     }
 
-    /// From a line; nothing, if it is none, or was cut off.
+    /// Parses a line; `None` if it is invalid or incomplete.
     pub fn of_line(line: &str) -> Option<Self> {
         let parts: Vec<&str> = line.split(',').collect();
         let [seed, failure, broke, alarm, stopped, left, height, place, impact, well] = parts[..]

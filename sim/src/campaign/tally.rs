@@ -1,11 +1,11 @@
-//! The outcome of a campaign: percentiles, and how many flights were as they must not be.
+//! The summary of a campaign: percentiles, and the number of faulty flights.
 
 use super::Kind;
 use super::outcome::Outcome;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-/// Fastest touch-down of a flight in which nothing breaks, m/s.
+/// Fastest permitted touch-down of a flight without failures, m/s.
 const SOFT: f64 = 0.5;
 
 /// Returns the fault of a flight.
@@ -21,7 +21,7 @@ pub fn fault(kind: Kind, outcome: &Outcome) -> Option<&'static str> {
     }
 }
 
-/// A Markdown page about a campaign.
+/// Formats a Markdown page about a campaign.
 pub fn page(kind: Kind, outcomes: &[Outcome]) -> String {
     let mut text = String::new();
     let _ = writeln!(text, "{} flights\n", outcomes.len());
@@ -93,7 +93,8 @@ fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
     all
 }
 
-/// The value below which `share` of the sorted values lie, with so many decimals; a dash if there are none.
+/// Formats the value below which a fraction `share` of the sorted values are, with `decimals` decimals; a dash if
+/// there are none.
 fn cell(sorted: &[f64], share: f64, decimals: usize) -> String {
     let last = sorted.len().saturating_sub(1);
     let value = sorted.get((share * last as f64).round() as usize);

@@ -1,10 +1,10 @@
-//! The coefficients that a flight speaks for, and how sure that is.
+//! Fits the thrust coefficients to a flight, and estimates their uncertainty.
 //!
-//! The minimum is searched by Nelder and Mead's method of the crate `argmin`, which needs no derivative. The
-//! confidence intervals come from the curvature at the minimum, with each segment's errors taken for
-//! related among themselves and unrelated to the other segments' (a clustered sandwich estimate).
+//! The minimum is found by the method of Nelder and Mead in the crate `argmin`, which needs no derivatives. The
+//! confidence intervals are computed from the curvature at the minimum; errors within a segment may be correlated,
+//! those of different segments are not (a clustered sandwich estimate).
 //!
-//! For quadcopters: a coefficient for each of four motors.
+//! For quadcopters: there is a coefficient for each of four motors.
 
 use super::segments::Segments;
 use argmin::core::{CostFunction, Error, Executor, State as _};
@@ -15,11 +15,11 @@ use std::cell::Cell;
 /// Result of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
-    /// The coefficients.
+    /// Fitted coefficients.
     pub coefficients: Vec<f64>,
-    /// Half the width of the 95 % confidence interval of each.
+    /// Half the width of the 95 % confidence interval of each coefficient.
     pub confidence: Vec<f64>,
-    /// The cost.
+    /// Cost at the minimum.
     pub cost: f64,
     /// The best cost after each iteration.
     pub history: Vec<f64>,
@@ -27,7 +27,8 @@ pub struct Fit {
     pub evaluations: u64,
 }
 
-/// Coefficients relative to the data sheet's: numbers near 1, so that steps are alike.
+/// The fit in terms of coefficients relative to the data sheet's: numbers near 1, so that all steps are of similar
+/// size.
 struct Problem<'a> {
     segments: &'a Segments<'a>,
     sheet: &'a [f64],
@@ -52,10 +53,11 @@ impl CostFunction for Problem<'_> {
     }
 }
 
-/// Fits a coefficient for each motor, from those of the data sheet on; `told` hears of each iteration.
+/// Fits a coefficient for each motor, starting from the data sheet's; calls `told` after each iteration.
 ///
 /// # Errors
-/// What the optimiser said.
+///
+/// The message of the optimiser.
 pub fn fit(
     segments: &Segments<'_>,
     sheet: &[f64; 4],

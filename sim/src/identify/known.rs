@@ -1,6 +1,6 @@
-//! Prior knowledge of an aircraft before it flies a trajectory: its data sheet, and the findings of a hover.
+//! Prior knowledge of an aircraft before it flies a trajectory: its data sheet, and the coefficients from a hover.
 //!
-//! The way of a user: hover, keep the log, identify, and give the software the coefficients that were found.
+//! It follows the steps of a user: hover, keep the log, identify, and give the software the identified coefficients.
 
 use super::fit::fit;
 use super::logged::Logged;
@@ -18,7 +18,8 @@ use std::error::Error;
 /// Time constant of the Mambo's motors by their data sheet, s.
 pub const LAG: f64 = 0.015;
 
-/// A hover of 24 s of an aircraft each of whose thrust coefficients lies up to 10 % off the data sheet.
+/// Returns the scenario of a 24 s hover of an aircraft whose thrust coefficients differ by up to 10 % from the data
+/// sheet.
 pub fn unknown_hover(seed: u64) -> Scenario {
     let mut dice = Stream::new(seed, Purpose::Dice);
     let mut scenario = Scenario::mambo(&[point(0.0, 0.0, 0.0, 1.0, 0.0)], 24.0, Mode::ClosedLoop);
@@ -29,10 +30,11 @@ pub fn unknown_hover(seed: u64) -> Scenario {
     scenario
 }
 
-/// The log of a flight, as its file would give it.
+/// Returns the log of a flight, as read from its file.
 ///
 /// # Errors
-/// What the log says when it is written and read.
+///
+/// An error when the log is written or read.
 pub fn log_of(scenario: &Scenario) -> Result<Logged, Box<dyn Error>> {
     let voyage = fly(scenario, &mut Native::default());
     let log = Log::of(&recording::mcap(&voyage, &BTreeMap::new())?, "hover".into())?;
@@ -52,7 +54,7 @@ pub fn identified(hover: &Logged) -> Result<Airframe, Box<dyn Error>> {
     Ok(with_coefficients(&sheet, &found.coefficients))
 }
 
-/// By how much the worst of the coefficients is off, as a fraction.
+/// Returns the largest relative error of the coefficients.
 pub fn worst_off(found: &[f64], truth: &[f64]) -> f64 {
     found.iter().zip(truth).map(|(found, truth)| (found / truth - 1.0).abs()).fold(0.0, f64::max)
 }

@@ -1,12 +1,12 @@
-//! A flight as the identification sees it: what was asked of the motors, and what the estimator said.
+//! The data of a logged flight for identification: the motors' commands and the estimates.
 //!
-//! Knows the log's signals by name; nothing of the truth, even where the log of a simulation has it.
+//! Knows the log's signals by name; uses nothing of the true state, even if the log of a simulation has it.
 
 use crate::recording::{Error, Log};
 use models::plant::Motion;
 use nalgebra::{SVector, Vector3};
 
-/// A state as the thesis orders it (2.18).
+/// A state in the thesis' order (2.18).
 pub type State = SVector<f64, 12>;
 
 /// Height above which the aircraft flies freely, m.
@@ -17,19 +17,20 @@ const FREE: f64 = 0.15;
 pub struct Logged {
     /// Time between two rows, s.
     pub period: f64,
-    /// The states.
+    /// States of all rows.
     pub states: Vec<State>,
     /// Squares of the speeds of the motors over the period that follows, rad²/s².
     pub squares: Vec<SVector<f64, 8>>,
-    /// The rows in which the aircraft flew freely: the first, and the one behind the last.
+    /// The range of rows in free flight: the first, and the one after the last.
     pub airborne: (usize, usize),
 }
 
 impl Logged {
-    /// Takes from a log what the identification needs. The motors follow their commands with the time
-    /// constant `lag`, s, of their data sheet.
+    /// Extracts the data for identification from a log. The motors follow their commands with the time constant
+    /// `lag`, s, from the data sheet.
     ///
     /// # Errors
+    ///
     /// A signal is missing, or the aircraft never flew.
     pub fn of(log: &Log, lag: f64) -> Result<Self, Error> {
         let column = |name: &str| log.column(name);
@@ -72,7 +73,7 @@ impl Logged {
     }
 }
 
-/// The mean squares of the speeds of motors that follow what is wanted of them.
+/// Returns the mean squares of the speeds of motors that follow their commands.
 fn turning(
     wanted: impl Iterator<Item = SVector<f64, 8>>,
     lag: f64,
@@ -86,13 +87,13 @@ fn turning(
     wanted.map(halves).collect()
 }
 
-/// A state as the model has it.
+/// Converts a state to the model's form.
 pub fn motion(state: &State) -> Motion {
     let part = |n: usize| Vector3::new(state[n], state[n + 1], state[n + 2]);
     Motion { position: part(0), angles: part(3), velocity: part(6), rates: part(9) }
 }
 
-/// A state as the log has it.
+/// Converts a state to the log's form.
 pub fn state(motion: &Motion) -> State {
     let mut all = State::zeros();
     let parts = [motion.position, motion.angles, motion.velocity, motion.rates];

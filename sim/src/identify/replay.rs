@@ -1,14 +1,14 @@
-//! The thesis' cost (eqs. (5.3)–(5.8)): the flight replayed open loop from its take-off, every output scaled
-//! by its own range, and the difference of the flights' lengths.
+//! The thesis' cost (eqs. (5.3)–(5.8)): the flight is replayed in open loop from its take-off, every output is scaled
+//! by its range, and the difference of the flights' lengths is added.
 //!
-//! Written as it stands, to show what it does: see docs/identification.md.
+//! Implemented exactly as in the thesis, to show its properties: see docs/identification.md.
 
 use super::logged::{Logged, State, motion, state};
 use super::with_coefficients;
 use models::{Airframe, Wrench};
 use nalgebra::Vector3;
 
-/// Heights that a candidate must not leave, m.
+/// Range of heights in which a replay continues, m.
 const HEIGHTS: (f64, f64) = (0.0, 10.0);
 
 /// The weight of the lengths' difference (thesis, eq. (5.8)).
@@ -35,7 +35,7 @@ pub fn flown(logged: &Logged, airframe: &Airframe) -> Vec<State> {
     states
 }
 
-/// The cost of coefficients, one for each motor or one for all.
+/// The cost of coefficients: one for each motor, or one for all.
 pub fn cost(logged: &Logged, airframe: &Airframe, coefficients: &[f64]) -> f64 {
     let (first, last) = logged.airborne;
     let model = flown(logged, &with_coefficients(airframe, coefficients));

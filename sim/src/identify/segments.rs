@@ -19,8 +19,8 @@ const PRIOR: f64 = 0.3;
 /// The mean square of a scaled difference that noise alone leaves: the weight of the prior against one.
 const PRIOR_WEIGHT: f64 = 1e-4;
 
-/// Least range that an output is scaled by: what is flatter shows its noise only. Position, angle,
-/// velocity, rate; m, rad, m/s, rad/s.
+/// Smallest range by which an output is scaled, since a smaller one consists of noise. For position, angle, velocity
+/// and rate; m, rad, m/s, rad/s.
 const LEAST_RANGES: [f64; 4] = [0.1, 0.1, 0.3, 0.3];
 
 /// The segments of a flight.
@@ -49,7 +49,7 @@ impl<'a> Segments<'a> {
         self.starts.len()
     }
 
-    /// The flight of the model, restarted from the log at the beginning of each segment.
+    /// Simulates the model, restarted from the log at the beginning of each segment.
     pub fn flown(&self, coefficients: &[f64]) -> Vec<State> {
         let airframe = with_coefficients(self.airframe, coefficients);
         let effect = airframe.effectiveness();
@@ -67,7 +67,7 @@ impl<'a> Segments<'a> {
         states
     }
 
-    /// The scaled difference at the end of each segment.
+    /// Returns the scaled difference at the end of each segment.
     pub fn residuals(&self, coefficients: &[f64]) -> Vec<State> {
         let airframe = with_coefficients(self.airframe, coefficients);
         let effect = airframe.effectiveness();
@@ -84,14 +84,14 @@ impl<'a> Segments<'a> {
         self.starts.par_iter().map(difference).collect()
     }
 
-    /// The squares of how far the coefficients are from the data sheet, in standard deviations of the prior.
+    /// Returns the sum of the squared deviations from the data sheet, in standard deviations of the prior.
     fn prior(&self, coefficients: &[f64]) -> f64 {
         let sheet = self.airframe.thrust_coefficients;
         let apart = |(n, c): (usize, &f64)| ((c / sheet[n] - 1.0) / PRIOR).powi(2);
         coefficients.iter().enumerate().map(apart).sum()
     }
 
-    /// The cost: mean square of the differences, and the prior.
+    /// Returns the cost: the mean square of the differences, plus the prior.
     pub fn cost(&self, coefficients: &[f64]) -> f64 {
         let sum: f64 = self.residuals(coefficients).iter().map(State::norm_squared).sum();
         let scale = 12.0 * self.count().max(1) as f64;

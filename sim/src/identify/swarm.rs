@@ -1,6 +1,6 @@
-//! The thesis' particle swarm (eqs. (5.9)–(5.12)), on any cost.
+//! The thesis' particle swarm (eqs. (5.9)–(5.12)) for any cost.
 //!
-//! Random numbers are drawn before the costs are computed, so that threads have no say in them.
+//! Random numbers are drawn before the costs are computed, so that the result does not depend on threads.
 
 use crate::noise::{Purpose, Stream};
 use rayon::prelude::*;
@@ -21,7 +21,7 @@ pub struct Swarm {
 }
 
 impl Swarm {
-    /// As the thesis has it.
+    /// Returns the parameters of the thesis.
     pub fn thesis(dimensions: usize, seed: u64) -> Self {
         Self { dimensions, particles: 100, iterations: 40, range: (0.001, 0.1), seed }
     }
@@ -35,9 +35,9 @@ impl Swarm {
 /// Result of a swarm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// The best place.
+    /// The best coefficients.
     pub best: Vec<f64>,
-    /// Its cost.
+    /// Cost of the best coefficients.
     pub cost: f64,
     /// The best cost after each iteration, the first population included.
     pub history: Vec<f64>,
@@ -50,7 +50,7 @@ struct Particle {
     cost: f64,
 }
 
-/// Searches for the least cost; `told` hears of each iteration.
+/// Searches for the least cost; calls `told` after each iteration.
 pub fn search(
     swarm: &Swarm,
     cost: impl Fn(&[f64]) -> f64 + Sync,

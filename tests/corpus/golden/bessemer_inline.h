@@ -1796,7 +1796,7 @@ static inline bool attitudes_equal(const attitudes_t *one, const attitudes_t *ot
         && unit_quaternion_f64_equal(&one->camera, &other->camera);
 }
 
-/** The rounding error of `step`, as a fraction of it. */
+/** The rounding error of the double nearest to 2^(`steps`/128), as a fraction of it. */
 static inline double exponential_step_rest(uint64_t steps)
 {
     return f64_from_bits(POWERS_OF_TWO[steps & UINT64_C(0x7F)][0]);

@@ -71,7 +71,7 @@ pub const TITLES: &[(&str, &str)] = &[
     ("viterbi", "Viterbi decoder"),
 ];
 
-/// The entries of the chapter in the contents.
+/// Returns the entries of the chapter for the contents.
 pub fn contents() -> String {
     let mut text = "- [Algorithms](algorithms/index.md)\n".to_owned();
     for (program, title) in TITLES {
@@ -80,7 +80,7 @@ pub fn contents() -> String {
     text
 }
 
-/// The pages of the chapter: path and text.
+/// Returns the pages of the chapter: path and text.
 ///
 /// # Errors
 /// [`Error::File`] if a program cannot be read.

@@ -1,12 +1,11 @@
-//! `cargo xtask book`: the book, and the pages that its contents list, as pages with a search, by mdBook.
+//! `cargo xtask book`: builds the book with mdBook, with a search: the pages that its contents list.
 //!
-//! The pages read well as they are; mdBook wants those of a book in one folder. So they are copied below
-//! `target/book/`, with links that lead there. Other files that they link are copied, too, as text. The programs of
-//! [`algorithms`] become pages.
+//! mdBook requires all pages in one folder. So the pages are copied below `target/book/` with adjusted links. Other
+//! files that they link are copied as text. The programs of [`algorithms`] become pages.
 //!
 //! Invariants: nothing below `docs/` changes; no link leads to a folder of this machine.
 //!
-//! What it must not know: what the pages say.
+//! What it must not know: the contents of the pages.
 
 pub mod algorithms;
 
@@ -17,22 +16,22 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
-/// The contents, from the folder of the pages.
+/// Path of the contents, relative to the folder of the pages.
 const SUMMARY: &str = "book/SUMMARY.md";
 const PAGES: &str = "docs";
 const PICTURES: &str = "docs/figures";
-/// Their folder, from that of the pages.
+/// Folder of the pictures, relative to that of the pages.
 const FIGURES: &str = "figures";
-/// Folder in the book of linked files that are no pages.
+/// Folder in the book for linked files that are not pages.
 const FILES: &str = "files";
 /// Line of the contents before which the chapter of algorithms is inserted.
 const BEFORE: &str = "- [Reference](";
 const TARGET: &str = "target/book";
 const SETTINGS: &str = "[book]\ntitle = \"Bessemer\"\nlanguage = \"en\"\nsrc = \"pages\"\n\n[build]\nbuild-dir = \"html\"\n";
-/// Installs mdBook.
+/// Command that installs mdBook.
 pub const INSTALL: &str = "cargo install mdbook";
 
-/// Makes the pages.
+/// Builds the pages.
 ///
 /// # Errors
 /// [`Error::NoBookTool`] without mdBook, [`Error::File`] if a page cannot be copied, [`Error::Stage`] if mdBook fails.
@@ -87,7 +86,7 @@ fn placed(page: &str) -> &str {
     page.strip_prefix("book/").unwrap_or(page)
 }
 
-/// The path, from the root, of a linked file that is no page of the book.
+/// Returns the path, from the root, of a linked file that is not a page of the book.
 fn linked(target: &str, page: &str, listed: &BTreeSet<String>, root: &Path) -> Option<String> {
     let path = target.split('#').next().filter(|it| is_path(it) && !it.contains("://"))?;
     let meant = resolved(page, path);
@@ -98,13 +97,13 @@ fn linked(target: &str, page: &str, listed: &BTreeSet<String>, root: &Path) -> O
     root.join(&file).is_file().then_some(file)
 }
 
-/// The path of a linked file in the book. A browser shows it as text, by its end.
+/// Returns the path of a linked file in the book; its ending makes browsers show it as text.
 fn as_text(file: &str) -> String {
     format!("{FILES}/{file}.txt")
 }
 
-/// A page whose links lead to where the pages and files go. A link to a folder leads nowhere in a book: it goes to the
-/// page's own head.
+/// Adjusts the links of a page to the paths in the book. A link to a folder would lead nowhere, so it leads to the
+/// top of its own page.
 fn relinked(text: &str, page: &str, listed: &BTreeSet<String>, root: &Path) -> String {
     replaced(text, |target| {
         let (path, anchor) = target.find('#').map_or((target, ""), |at| target.split_at(at));
@@ -128,12 +127,12 @@ fn relinked(text: &str, page: &str, listed: &BTreeSet<String>, root: &Path) -> S
     })
 }
 
-/// Returns true if the target of a link is a path: code has brackets, too.
+/// Returns true if the target of a link is a path. Brackets in code can look like links.
 fn is_path(target: &str) -> bool {
     target.contains(['/', '.', '#']) && !target.contains([' ', '"', ',', '|', '&'])
 }
 
-/// A page with other targets of its links.
+/// Returns a page with replaced link targets.
 fn replaced(text: &str, target: impl Fn(&str) -> String) -> String {
     let mut parts = text.split("](");
     let mut whole = parts.next().unwrap_or_default().to_owned();
@@ -147,12 +146,12 @@ fn replaced(text: &str, target: impl Fn(&str) -> String) -> String {
     whole
 }
 
-/// The targets of the links in a page.
+/// Returns the targets of the links in a page.
 fn targets(text: &str) -> impl Iterator<Item = &str> {
     text.split("](").skip(1).filter_map(|rest| rest.split([')', '\n']).next())
 }
 
-/// A path from the folder of the pages, as a page means it. It may lead out of that folder.
+/// Resolves a path relative to a page. The result may be outside the pages' folder.
 fn resolved(page: &str, target: &str) -> String {
     let mut parts: Vec<&str> = page.split('/').collect();
     parts.pop();
@@ -219,7 +218,7 @@ mod tests {
         words.map(str::to_lowercase).collect()
     }
 
-    /// The sections of all pages, as mdBook's index has them.
+    /// The sections of all pages, in the form of mdBook's index.
     fn sections(folder: &Path) -> Vec<Section> {
         let contents = read(&folder.join("SUMMARY.md")).expect("the contents");
         let mut sections = Vec::new();
@@ -234,7 +233,7 @@ mod tests {
         sections
     }
 
-    /// The page that mdBook's search lists first. A rare word, a short field and a title weigh more.
+    /// The page that mdBook's search would list first. Rare words, short fields and titles have more weight.
     fn found<'s>(sections: &'s [Section], query: &str) -> &'s str {
         let query = words(query);
         let weight = |field: &[String], word: &String| {

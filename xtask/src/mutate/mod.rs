@@ -1,11 +1,12 @@
-//! `cargo xtask mutate`: breaks the compiler in small ways, and shows that the tests tell.
+//! `cargo xtask mutate`: introduces small defects into the compiler, and checks that tests detect them.
 //!
-//! Each patch in `tests/mutants/` is applied to a copy of the work tree; the test that its header names is run there, and, if
-//! that passes or none is named, all tests from the cheapest to the dearest until one fails. A mutant that no test finds is a gap
-//! in the tests; one that does not compile, or that another test finds than its header says, is a mistake in its file. Each
-//! of these fails the command. That the tests pass without a mutant is for `cargo xtask test` to see.
+//! Each patch in `tests/mutants/` is applied to a copy of the work tree, and the test named in its header is run
+//! there. If that test passes or none is named, all tests run, from the cheapest to the most expensive, until one
+//! fails. A mutant that no test detects is a gap in the tests. A mutant that does not compile, or that another test
+//! detects, is a mistake in its file. Each of these fails the command. `cargo xtask test` checks that the tests pass
+//! without a mutant.
 //!
-//! What it must not know: what the mutants break, what the tests test.
+//! What it must not know: the defects, and what the tests test.
 
 pub mod mutant;
 pub mod sandbox;
@@ -26,8 +27,9 @@ use mutant::Mutant;
 use sandbox::Sandbox;
 use trial::Found;
 
-/// All tests of what mutants change, from the cheapest to the dearest. Not those of `xtask`: no patch applies twice, which
-/// is all that they would find. Of the workspace where that is possible: with its features nothing of the registry is built anew.
+/// All tests of the crates that mutants change, from the cheapest to the most expensive. The tests of `xtask` are
+/// omitted: they would only find that a patch does not apply twice. Tests run with the workspace's features where
+/// possible, so that packages of the registry are not rebuilt.
 const TESTS: [&str; 9] = [
     "test --workspace --test c --test interpret --test passes --test passes_random --test validate",
     "xtask gen --check",
@@ -46,27 +48,27 @@ const RED: Style = Style::new().bold().fg_color(Some(anstyle::Color::Ansi(AnsiCo
 /// The fate of a mutant.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Fate {
-    /// A test found it.
+    /// A test failed, so the mutant is detected.
     Killed {
         /// The tests that failed.
         by: String,
         /// The command that failed.
         command: String,
     },
-    /// A test found it, but not that of its header.
+    /// A test failed, but not the one in its header.
     Elsewhere {
         /// The tests that failed.
         by: String,
         /// The command that failed.
         command: String,
     },
-    /// No test found it.
+    /// No test failed.
     Survived,
     /// The changed source does not compile.
     Uncompiled,
-    /// Its patch does not apply; what git said.
+    /// The patch does not apply: the message of git.
     Unapplied(String),
-    /// A command could not be carried out; what it said.
+    /// A command could not be executed: its message.
     Unrun(String),
 }
 
@@ -101,7 +103,7 @@ impl Fate {
     }
 }
 
-/// Tries the mutants that are requested, and prints a line for each.
+/// Tries the requested mutants and prints a line for each.
 ///
 /// # Errors
 /// An error that keeps it from trying them; a mutant that survives is an [`Outcome::Bad`].
@@ -121,15 +123,15 @@ pub fn run(root: &Path, wanted: &Mutate) -> Result<Outcome, Error> {
     Ok(if are_found(&fates) { Outcome::Good } else { Outcome::Bad })
 }
 
-/// Part of the chosen mutants.
+/// A part of the chosen mutants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Share {
-    /// Each of them.
+    /// All of them.
     All,
-    /// Those whose tests need no tree of a package: they may run beside the tests.
+    /// Mutants whose tests need no tree of a package: they may run concurrently with the tests.
     WithoutTrees,
-    /// Those whose tests need trees. The workspace's tests make and store these, and the copy finds them then: before, it
-    /// would build them beside, and store nothing.
+    /// Mutants whose tests need trees. They are tried after the workspace's tests, which build and store these trees;
+    /// before, the copy would build them itself and not store them.
     WithTrees,
 }
 
@@ -171,10 +173,11 @@ impl Trials {
         Ok(Trials { root: root.to_owned(), chosen, sandbox: Sandbox::of(root)? })
     }
 
-    /// Tries those of `share`, one after the other; a line is `said` of each.
+    /// Tries the mutants of `share` one after another, and prints a line for each.
     ///
     /// # Errors
-    /// An error that keeps it from trying them.
+    ///
+    /// An error that prevents trying them.
     pub fn run(
         &self,
         share: Share,
@@ -196,7 +199,7 @@ impl Trials {
     }
 }
 
-/// The mutants that the command line names.
+/// Returns the mutants that the command line names.
 fn chosen(all: Vec<Mutant>, wanted: &Mutate) -> Result<Vec<Mutant>, Error> {
     if let Some(name) = wanted.names.iter().find(|name| all.iter().all(|it| it.name != **name)) {
         let known = all.into_iter().map(|it| it.name).collect();
@@ -212,10 +215,11 @@ fn chosen(all: Vec<Mutant>, wanted: &Mutate) -> Result<Vec<Mutant>, Error> {
     })
 }
 
-/// The mutants of a run alternately: `count` of them, or fewer, chosen by a number such as that of a commit.
+/// Selects up to `count` mutants by a number, such as one derived from a commit, so that runs alternate.
 ///
 /// # Errors
-/// If the mutants cannot be read.
+///
+/// The mutants cannot be read.
 pub fn by_turn(root: &Path, number: u32, count: NonZeroUsize) -> Result<Mutate, Error> {
     let (turn, of) = mutant::turn_of(number, Mutant::all(root)?.len(), count);
     Ok(Mutate { turn: Some(turn), of: Some(of), ..Mutate::default() })
@@ -247,7 +251,7 @@ fn fate(root: &Path, sandbox: &Sandbox, mutant: &Mutant, voice: &Voice) -> Resul
     Ok(Fate::Survived)
 }
 
-/// The test that failed, in a command that may name none.
+/// Names the test that failed, and the command if it names none.
 fn killer(by: &str, command: &str) -> String {
     if by.is_empty() { format!("cargo {command}") } else { format!("{by} of cargo {command}") }
 }

@@ -1,8 +1,8 @@
-//! A mutant: a patch in `tests/mutants/` that breaks the compiler in one place, and what its file says of itself.
+//! A mutant: a patch in `tests/mutants/` that introduces one defect into the compiler, with a header.
 //!
-//! The file is what `git apply` takes. Before the first `diff` stand a line that says what is broken and, if it is known,
-//! the command that finds it: `killed-by: cargo test …` or `killed-by: cargo xtask gen --check`. Any other line there is
-//! prose.
+//! `git apply` accepts the file. Before the first `diff` there is a line that describes the defect and, if it is
+//! known, the command that detects it: `killed-by: cargo test …` or `killed-by: cargo xtask gen --check`. Other lines
+//! there are free text.
 //!
 //! What it must not know: how a mutant is tried.
 
@@ -17,26 +17,27 @@ pub const FOLDER: &str = "tests/mutants";
 
 const KILLED_BY: &str = "killed-by:";
 
-/// A patch and what its file says of it.
+/// A patch and the content of its header.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Mutant {
-    /// The name of the file without its ending: the area, then what is broken.
+    /// Name of the file without its ending: the area, then the defect.
     pub name: String,
-    /// The file.
+    /// Path of the file.
     pub patch: PathBuf,
-    /// A sentence that says what is broken.
+    /// A sentence that describes the defect.
     pub what: String,
-    /// The command that finds it, without `cargo`; none if all tests are to be tried.
+    /// The command that detects it, without `cargo`; `None` if all tests are to be tried.
     pub killed_by: Option<String>,
-    /// The files that it changes, from the root of the project.
+    /// The changed files, relative to the root of the project.
     pub changed: Vec<String>,
 }
 
 impl Mutant {
-    /// Every mutant of the project, by name.
+    /// Returns every mutant of the project, by name.
     ///
     /// # Errors
-    /// An error of the file system; [`Error::Mutant`] for a file that does not say what is broken.
+    ///
+    /// An error of the file system; [`Error::Mutant`] for a file without a valid header.
     pub fn all(root: &Path) -> Result<Vec<Mutant>, Error> {
         let folder = root.join(FOLDER);
         let failed = |source| Error::File { path: folder.clone(), source };
@@ -58,9 +59,10 @@ impl Mutant {
             .map_err(|problem| Error::Mutant { file: patch.clone(), problem })
     }
 
-    /// The mutant of a file's text.
+    /// Parses the text of a mutant's file.
     ///
     /// # Errors
+    ///
     /// The mistake in the text, and a remedy.
     pub fn parse(patch: &Path, text: &str) -> Result<Mutant, String> {
         let header = |line: &&str| !line.starts_with("diff ") && !line.starts_with("--- ");
@@ -90,7 +92,7 @@ impl Mutant {
         self.killed_by.as_ref().is_some_and(|command| command.contains("--test all"))
     }
 
-    /// The packages whose sources it changes, by the names in their manifests.
+    /// Returns the packages whose sources the mutant changes, by the names in their manifests.
     #[must_use]
     pub fn packages(&self, root: &Path) -> Vec<String> {
         let mut packages: Vec<String> =
@@ -100,7 +102,7 @@ impl Mutant {
     }
 }
 
-/// The command in a header, without `cargo`.
+/// Returns the command in a header, without `cargo`.
 fn command(said: &str) -> Result<String, String> {
     let words = said.split_whitespace().collect::<Vec<_>>().join(" ");
     match words.strip_prefix("cargo ") {
@@ -113,7 +115,7 @@ fn command(said: &str) -> Result<String, String> {
     }
 }
 
-/// The package that a file belongs to: that of the nearest folder above it which has a manifest.
+/// Returns the package that a file belongs to: its nearest parent folder with a manifest.
 fn package(root: &Path, file: &Path) -> Option<String> {
     file.ancestors().skip(1).find_map(|folder| {
         let manifest = std::fs::read_to_string(root.join(folder).join("Cargo.toml")).ok()?;
@@ -122,7 +124,7 @@ fn package(root: &Path, file: &Path) -> Option<String> {
     })
 }
 
-/// The command that applies a patch to the files in `folder`, wherever that lies.
+/// Returns the command that applies a patch to the files in `folder`.
 #[must_use]
 pub fn git_apply(folder: &Path, patch: &Path) -> Command {
     let mut git = Command::new("git");
@@ -133,14 +135,14 @@ pub fn git_apply(folder: &Path, patch: &Path) -> Command {
     git
 }
 
-/// The mutants of one turn out of several: each is in exactly one. Turns are numbered from 1.
+/// Returns the mutants of one turn; each mutant belongs to exactly one. Turns are numbered from 1.
 #[must_use]
 pub fn of_turn(mutants: Vec<Mutant>, turn: NonZeroUsize, of: NonZeroUsize) -> Vec<Mutant> {
     let mine = |index: usize| index % of == turn.get() - 1;
     mutants.into_iter().enumerate().filter(|(index, _)| mine(*index)).map(|(_, it)| it).collect()
 }
 
-/// The turn that a number chooses, and of how many, so that `count` mutants or fewer are in each of them.
+/// Returns the turn for a number, and the number of turns, so that each has at most `count` mutants.
 #[must_use]
 pub fn turn_of(number: u32, mutants: usize, count: NonZeroUsize) -> (NonZeroUsize, NonZeroUsize) {
     let turns = NonZeroUsize::new(mutants.div_ceil(count.get())).unwrap_or(NonZeroUsize::MIN);

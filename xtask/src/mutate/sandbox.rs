@@ -18,7 +18,8 @@ use super::seed;
 use crate::error::Error;
 use crate::project;
 
-/// Beside one package: what it rests on is then built as it is for all of them, and so is here.
+/// Arguments that select the workspace's features for a single package, so that its dependencies are built as for all
+/// packages.
 pub const UNIFIED: [&str; 4] = ["-p", "unified", "--features", "unified/tests"];
 
 /// A copy of the work tree at `root`.
@@ -32,10 +33,11 @@ pub struct Sandbox {
 }
 
 impl Sandbox {
-    /// The copy of the work tree at `root`.
+    /// Opens the copy of the work tree at `root`.
     ///
     /// # Errors
-    /// [`Error::Busy`] if another run has it; what the file system said.
+    ///
+    /// [`Error::Busy`] if another run uses it; the message of the file system.
     pub fn of(root: &Path) -> Result<Sandbox, Error> {
         let folder = root.join("target/mutants");
         let tree = folder.join("tree");
@@ -56,9 +58,10 @@ impl Sandbox {
         Ok(sandbox)
     }
 
-    /// Makes the copy what the work tree is now, what is not committed included.
+    /// Makes the copy equal to the present work tree, with uncommitted changes.
     ///
     /// # Errors
+    ///
     /// An error of git or of the file system.
     pub fn restore(&self) -> Result<(), Error> {
         let wanted = listed(&self.root)?;
@@ -77,7 +80,7 @@ impl Sandbox {
         self.sweep(&self.tree, &wanted)
     }
 
-    /// Makes each file and each folder of the copy as old as that of the work tree.
+    /// Gives each file and folder of the copy the time stamp of the original.
     fn age(&self) -> Result<(), Error> {
         let listed = listed(&self.root)?;
         let all: BTreeSet<&Path> = listed.iter().flat_map(|name| name.ancestors()).collect();
@@ -88,7 +91,7 @@ impl Sandbox {
         Ok(())
     }
 
-    /// Removes what is in the copy and not in the work tree.
+    /// Removes files of the copy that the work tree does not have.
     fn sweep(&self, folder: &Path, wanted: &BTreeSet<PathBuf>) -> Result<(), Error> {
         for entry in fs::read_dir(folder).map_err(of(folder))? {
             let path = entry.map_err(of(folder))?.path();
@@ -101,17 +104,18 @@ impl Sandbox {
         Ok(())
     }
 
-    /// Breaks the copy as the mutant says; gives what git said if its patch does not apply.
+    /// Applies the mutant's patch to the copy; returns git's message if it does not apply.
     ///
     /// # Errors
-    /// If git does not run.
+    ///
+    /// Git does not run.
     pub fn mutate(&self, mutant: &Mutant) -> Result<Result<(), String>, Error> {
         let output = run(&mut mutant::git_apply(&self.tree, &mutant.patch))?;
         let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
         Ok(if output.status.success() { Ok(()) } else { Err(said) })
     }
 
-    /// Cargo in the copy, with the words of `command`.
+    /// Returns a cargo command in the copy, with the words of `command`.
     #[must_use]
     pub fn cargo(&self, command: &str) -> Command {
         let mut words: Vec<&str> = command.split_whitespace().collect();
@@ -129,7 +133,7 @@ impl Sandbox {
     }
 }
 
-/// The files of the work tree that git knows or would add.
+/// Lists the files of the work tree that git tracks or would add.
 fn listed(root: &Path) -> Result<BTreeSet<PathBuf>, Error> {
     let mut git = Command::new("git");
     git.args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"]).current_dir(root);

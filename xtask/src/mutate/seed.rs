@@ -1,9 +1,9 @@
-//! Saves the copy of the work tree builds: those of the work tree.
+//! Reuses the builds of the work tree for the copy of the work tree.
 //!
-//! Cargo knows a package by its name, version, features, profile and place in the workspace, and a build as up to date by
-//! the times of its sources, wherever the workspace lies. So builds of the registry's packages may be hard links: whoever
-//! builds one anew writes the same again. Those of the workspace are copies, for mutants change them. What the place of the
-//! work tree is compiled into would work there, and is built anew, as programs are.
+//! Cargo identifies a package by its name, version, features, profile and position in the workspace, and a build is
+//! up to date by the time stamps of its sources, independently of the workspace's path. So builds of packages from
+//! the registry can be hard links: a rebuild would write the same content. Builds of the workspace's packages are
+//! copied, since mutants change them. Builds that contain the path of the work tree are not reused.
 //!
 //! What it must not know: mutants.
 
@@ -12,15 +12,17 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// The folders of a target folder in which cargo keeps what it built, and what it knows about that.
+/// Folders of a target folder that contain cargo's build results and their metadata.
 const FOLDERS: [&str; 3] = [".fingerprint", "build", "deps"];
 
-/// The endings of libraries, and of what rustc says that one was made of.
+/// Endings of libraries, and of rustc's lists of their sources.
 const LIBRARIES: [&str; 4] = ["rlib", "rmeta", "so", "d"];
 
-/// Puts what was built for the work tree at `root` into `target`, unless something is there; says whether it did.
+/// Copies what was built for the work tree at `root` to `target`, unless `target` already has content. Returns false
+/// in that case.
 ///
 /// # Errors
+///
 /// An error of the file system.
 pub fn seed(root: &Path, target: &Path) -> io::Result<bool> {
     let (built, target) = (root.join("target/debug"), target.join("debug"));
@@ -44,16 +46,17 @@ pub fn seed(root: &Path, target: &Path) -> io::Result<bool> {
     Ok(true)
 }
 
-/// Makes a copy, of a file or a folder, as old as the original.
+/// Gives a copy of a file or folder the time stamp of the original.
 ///
 /// # Errors
+///
 /// An error of the file system.
 pub fn age(from: &Path, to: &Path) -> io::Result<()> {
     fs::File::open(to)?.set_modified(fs::metadata(from)?.modified()?)
 }
 
-/// Returns true if a build of the workspace's is independent of its folder: rustc lists the variables on which it
-/// depends. Cargo itself finds a build script's folder again.
+/// Returns true if a build result of the workspace is independent of its folder. rustc lists the environment
+/// variables on which a result depends; cargo itself finds a build script's folder again.
 fn is_movable(path: &Path, root: &Path) -> io::Result<bool> {
     if !path.extension().is_some_and(|ending| LIBRARIES.iter().any(|it| ending == *it)) {
         return Ok(false);
@@ -79,7 +82,8 @@ fn registry(lock: &str) -> BTreeSet<String> {
     lock.split("[[package]]").filter_map(of).collect()
 }
 
-/// The packages that a file or a folder of cargo's may belong to: `libm-0123456789abcdef`, `liblibm-….rlib`.
+/// Returns the packages that a file or folder in the target folder may belong to: `libm-0123456789abcdef`,
+/// `liblibm-….rlib`.
 fn package(name: &str) -> impl Iterator<Item = String> {
     let stem = name.split_once('.').map_or(name, |(stem, _)| stem);
     let name = stem.rsplit_once('-').map(|(name, _)| plain(name));
@@ -91,7 +95,7 @@ fn plain(name: &str) -> String {
     name.replace('-', "_")
 }
 
-/// Does something with each file of a folder, or with a file, in a like folder at another place.
+/// Calls `put` with each file of a folder, or with the single file, and the corresponding path in another place.
 fn each(from: &Path, to: &Path, put: &dyn Fn(&Path, &Path) -> io::Result<()>) -> io::Result<()> {
     if !from.is_dir() {
         return put(from, to);

@@ -1,8 +1,9 @@
-//! One test command in the copy: what it found, by what cargo and the test runner print.
+//! Runs one test command in the copy, and finds its result in the output of cargo and the test runner.
 //!
 //! Invariants:
-//! - the first failure ends the command, and all that it started;
-//! - so does silence: a mutant may make the C, or the compiler itself, run for ever.
+//!
+//! * the first failure ends the command and all processes that it started;
+//! * so does silence: a mutant may make the C, or the compiler itself, run for ever.
 //!
 //! What it must not know: mutants.
 
@@ -17,27 +18,28 @@ use crate::stages::{self, Voice};
 /// machine.
 const SILENCE: Duration = Duration::from_secs(600);
 
-/// The finding of a command.
+/// Result of a command.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Found {
-    /// Nothing.
+    /// No failure.
     Nothing,
-    /// This test failed.
+    /// A test failed: its name.
     Test(String),
-    /// This package does not compile.
+    /// A package does not compile: its name.
     Broken(String),
-    /// It failed, and named no test.
+    /// The command failed without naming a test.
     Failure,
-    /// It could not be carried out; its last line.
+    /// The command could not be executed: the last line of its output.
     Unrun(String),
-    /// It printed nothing for too long.
+    /// The command printed nothing for too long.
     Silence,
 }
 
 /// Runs a command to its end or to its first failure.
 ///
 /// # Errors
-/// If it does not start.
+///
+/// The command does not start.
 pub fn run(command: &mut Command, voice: &Voice) -> Result<Found, Error> {
     let tests = command.get_args().next().is_some_and(|word| word == "test");
     let (mut child, lines) = stages::started(command)?;
@@ -67,7 +69,7 @@ pub fn run(command: &mut Command, voice: &Voice) -> Result<Found, Error> {
     Ok(found)
 }
 
-/// The failure that a line tells of.
+/// Returns the failure that a line reports.
 fn failure(line: &str) -> Option<Found> {
     if let Some(rest) = line.strip_prefix("error: could not compile `") {
         return Some(Found::Broken(rest.split('`').next()?.to_owned()));
@@ -80,7 +82,7 @@ fn failure(line: &str) -> Option<Found> {
     Some(Found::Test(name.trim_end_matches(" - should panic").to_owned()))
 }
 
-/// Ends a program and all that it started: cargo alone would leave the tests running.
+/// Ends a program and its descendants: ending cargo alone would leave the tests running.
 fn end(child: &mut Child) {
     let listed = Command::new("ps").args(["-A", "-o", "pid=,ppid="]).output();
     let listed = listed.map(|output| String::from_utf8_lossy(&output.stdout).into_owned());
@@ -91,7 +93,7 @@ fn end(child: &mut Child) {
     let _ = child.wait();
 }
 
-/// A process and those that it started, of a list of processes and their parents.
+/// Returns a process and its descendants, from a list of processes and their parents.
 fn descendants(process: u32, listed: &str) -> Vec<u32> {
     let mut found = vec![process];
     let pairs = listed.lines().filter_map(|line| {

@@ -25,7 +25,7 @@ pub(super) struct Group<'p> {
 }
 
 impl<'p> Group<'p> {
-    /// The groups of these tests.
+    /// Forms the groups of these tests.
     pub(super) fn all(program: &'p Program, names: Vec<String>) -> impl Iterator<Item = Self> {
         let mut groups = BTreeMap::<String, Vec<String>>::new();
         for name in names {
@@ -40,14 +40,15 @@ impl<'p> Group<'p> {
         self.names.len()
     }
 
-    /// Returns the processor time that it used before.
+    /// Returns the processor time that the group used in the stored run.
     pub(super) fn known(&self, times: &Times) -> Duration {
         self.names.iter().map(|name| times.of(&self.program.title_of(name))).sum()
     }
 
-    /// Runs its tests; each is `told` when it has run, and all that the process said is `shown` if one failed.
+    /// Runs the tests; calls `told` with each result, and `shown` with the output of the process if a test failed.
     ///
     /// # Errors
+    ///
     /// [`Error::Spawn`] if the program does not start.
     pub(super) fn run(
         &self,
@@ -87,7 +88,7 @@ impl<'p> Group<'p> {
         Ok(())
     }
 
-    /// Goes through the lines that the harness writes while the tests run.
+    /// Processes the lines that the harness writes while the tests run.
     fn heard(
         &self,
         meter: &mut Meter,
@@ -108,15 +109,15 @@ impl<'p> Group<'p> {
     }
 }
 
-/// The outcome of a process.
+/// Output of a process.
 struct Heard {
-    /// All of its lines.
+    /// All lines of the output.
     text: String,
-    /// The tests of which no line told the outcome.
+    /// Tests whose result is not known yet.
     open: BTreeSet<String>,
 }
 
-/// The test that a line of the harness tells of, and whether it passed; one that is ignored has.
+/// Returns the test that a line of the harness names, and whether it passed; an ignored test counts as passed.
 fn outcome(line: &str) -> Option<(&str, bool)> {
     let (name, outcome) = line.strip_prefix("test ")?.split_once(" ... ")?;
     let name = name.strip_suffix(" - should panic").unwrap_or(name);

@@ -7,7 +7,7 @@
 
 use std::time::{Duration, Instant};
 
-/// Linux counts processor time in hundredths of a second, for all that reads of it.
+/// Number of ticks in a second: Linux reports processor time in hundredths of a second.
 const TICKS: u32 = 100;
 
 /// The cost of a test or a stage.
@@ -15,19 +15,19 @@ const TICKS: u32 = 100;
 pub struct Spent {
     /// Wall time.
     pub time: Duration,
-    /// Processor time; wall time where the system does not tell.
+    /// Processor time; wall time on systems that do not report it.
     pub work: Duration,
 }
 
 impl Spent {
-    /// The cost since `start` of something whose processor time was not counted.
+    /// Returns the cost since `start`, with the wall time as its processor time.
     pub fn since(start: Instant) -> Self {
         let time = start.elapsed();
         Self { time, work: time }
     }
 }
 
-/// Measures a process, lap by lap.
+/// Measures a process in sections.
 pub(super) struct Meter {
     pid: u32,
     since: Instant,
@@ -40,7 +40,7 @@ impl Meter {
         Self { pid, since: Instant::now(), before: Some(Duration::ZERO) }
     }
 
-    /// The cost since the last lap. Children count once the process has waited for them.
+    /// Returns the cost since the last call. Child processes count when the process has waited for them.
     pub(super) fn lap(&mut self) -> Spent {
         let time = self.since.elapsed();
         let now = used(self.pid);
@@ -50,20 +50,21 @@ impl Meter {
     }
 }
 
-/// Processor time of this program and of all that it started and waited for; none where the system does not tell.
+/// Returns the processor time of this program and of all processes that it has waited for; `None` on systems that do
+/// not report it.
 #[must_use]
 pub fn processors() -> Option<Duration> {
     used(std::process::id())
 }
 
-/// Processor time of a process and of the children that it has waited for.
+/// Returns the processor time of a process and of the children that it has waited for.
 fn used(pid: u32) -> Option<Duration> {
     ticks(&std::fs::read_to_string(format!("/proc/{pid}/stat")).ok()?)
         .map(|ticks| Duration::from_secs(ticks) / TICKS)
 }
 
-/// The ticks in a line of `/proc/PID/stat`: fields 14 to 17, counted from 1. The second is the name of the program, in
-/// parentheses, and may have spaces and parentheses of its own.
+/// Returns the sum of the ticks in a line of `/proc/PID/stat`: fields 14 to 17, counted from 1. The second field is
+/// the name of the program in parentheses, which may itself contain spaces and parentheses.
 fn ticks(line: &str) -> Option<u64> {
     let (_, fields) = line.rsplit_once(") ")?;
     let fields: Vec<&str> = fields.split(' ').collect();

@@ -27,16 +27,17 @@ use std::collections::VecDeque;
 use std::sync::Mutex;
 use std::time::Duration;
 
-/// Groups at a time for each processor: many wait for cargo, which builds one thing at a time in a target folder.
+/// Number of groups that run at a time for each processor. Many wait for cargo, which runs one build at a time in a
+/// target folder.
 const WAITING: usize = 4;
 
-/// A passing test is a line of its own from here on.
+/// Duration from which a passed test is printed on its own line.
 const LONG: Duration = Duration::from_secs(5);
 
-/// A test that has run.
+/// A finished test.
 #[derive(Clone, Debug)]
 pub struct Done {
-    /// `package/program::test`.
+    /// Title of the test: `package/program::test`.
     pub title: String,
     /// True if it passed.
     pub passed: bool,
@@ -44,9 +45,11 @@ pub struct Done {
     pub spent: Spent,
 }
 
-/// Runs the tests of `programs` that are `chosen` by their titles; `known` says what each used of the processors before.
+/// Runs the tests of `programs` that `chosen` selects by their titles; `known` has the processor time of each in the
+/// stored run.
 ///
 /// # Errors
+///
 /// [`Error::Spawn`] if a program does not start.
 pub fn run(
     programs: &[Program],

@@ -1,6 +1,6 @@
-//! A test program that cargo built: where it is, which tests it has, and how cargo would run it.
+//! A test program built by cargo: its path, its tests, and the environment in which cargo would run it.
 //!
-//! What it must not know: when a test runs, and what becomes of it.
+//! What it must not know: when a test runs, and how its result is used.
 
 use crate::error::Error;
 use serde_json::Value;
@@ -18,7 +18,7 @@ pub struct Program {
 }
 
 impl Program {
-    /// The programs that cargo's messages tell of.
+    /// Returns the programs named in cargo's messages.
     #[must_use]
     pub fn of(messages: &str) -> Vec<Self> {
         let messages = messages.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
@@ -47,7 +47,7 @@ impl Program {
         })
     }
 
-    /// Package, and program where it is not the package's own.
+    /// Returns the package, and the program unless it is the package's own.
     #[must_use]
     pub fn title(&self) -> String {
         if self.target.replace('_', "-") == self.package {
@@ -57,16 +57,17 @@ impl Program {
         }
     }
 
-    /// `package/program::test`, as a test is listed.
+    /// Returns the title of a test: `package/program::test`.
     #[must_use]
     pub fn title_of(&self, test: &str) -> String {
         format!("{}::{test}", self.title())
     }
 
-    /// The names of its tests.
+    /// Returns the names of its tests.
     ///
     /// # Errors
-    /// [`Error::Spawn`] if it does not start.
+    ///
+    /// [`Error::Spawn`] if the program does not start.
     pub fn tests(&self, environment: &[(&str, String)]) -> Result<Vec<String>, Error> {
         let mut command = self.command(environment);
         command.args(["--list", "--format", "terse"]).stdin(Stdio::null());
@@ -78,7 +79,7 @@ impl Program {
         Ok(names.map(str::to_owned).collect())
     }
 
-    /// A command that runs it as cargo would.
+    /// Returns a command that runs the program as cargo would.
     #[must_use]
     pub fn command(&self, environment: &[(&str, String)]) -> Command {
         let mut command = Command::new(&self.path);

@@ -9,13 +9,13 @@ use super::Done;
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-/// A part has grown if it takes so much more than the median part does.
+/// Growth limit: a part has grown if its ratio to the stored time exceeds the median ratio by this factor.
 const GROWTH: f64 = 4.0 / 3.0;
 
-/// The whole run has grown if it takes so much more of the processors than the stored one.
+/// Growth limit of the whole run's processor time.
 const GROWTH_OF_ALL: f64 = 1.1;
 
-/// Shorter ones vary by themselves.
+/// Duration below which times vary too much to be compared.
 const SHORT: Duration = Duration::from_secs(4);
 
 /// Shortest time that is stored.
@@ -26,7 +26,7 @@ const STORED: Duration = Duration::from_millis(300);
 pub struct Times(BTreeMap<String, Duration>);
 
 impl Times {
-    /// Reads `name<TAB>seconds` lines; others are passed over.
+    /// Parses `name<TAB>seconds` lines; other lines are ignored.
     #[must_use]
     pub fn read(text: &str) -> Self {
         let line = |line: &str| {
@@ -36,19 +36,19 @@ impl Times {
         Self(text.lines().filter_map(line).collect())
     }
 
-    /// The lines that [`read`](Self::read) reads, for what takes at least [`STORED`].
+    /// Formats the times of at least [`STORED`] as lines for [`read`](Self::read).
     #[must_use]
     pub fn text(&self) -> String {
         let long = self.0.iter().filter(|(_, time)| **time >= STORED);
         long.map(|(name, time)| format!("{name}\t{:.1}\n", time.as_secs_f64())).collect()
     }
 
-    /// Adds a part.
+    /// Adds the time of a part.
     pub fn add(&mut self, name: &str, time: Duration) {
         self.0.insert(name.to_owned(), time);
     }
 
-    /// The time of a part, nothing if it is not known.
+    /// Returns the time of a part; zero if it is not known.
     #[must_use]
     pub fn of(&self, name: &str) -> Duration {
         self.0.get(name).copied().unwrap_or_default()
@@ -62,7 +62,7 @@ impl Times {
         (before >= SHORT && ratio >= GROWTH_OF_ALL).then_some(ratio)
     }
 
-    /// The parts that grew by a third beside `stored`, with how much.
+    /// Returns the parts that grew by a third compared with `stored`, and their growth.
     #[must_use]
     pub fn grown(&self, stored: &Self) -> Vec<(String, f64)> {
         let ratio = |(name, time): (&String, &Duration)| {
@@ -79,7 +79,7 @@ impl Times {
     }
 }
 
-/// The tests that used most of the processors.
+/// Returns the tests with the most processor time.
 #[must_use]
 pub fn slowest(done: &[Done], count: usize) -> Vec<&Done> {
     let mut list: Vec<&Done> = done.iter().collect();

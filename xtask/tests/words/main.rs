@@ -124,7 +124,7 @@ fn own_words(text: &str) -> usize {
 /// Returns the figures of a file; none if it is generated, recorded or no text of ours.
 fn figures(file: &File) -> Figures {
     let ends = |ends: &[&str]| ends.iter().any(|end| file.path.ends_with(end));
-    let generated = ["generated/", "tests/corpus/golden/", "ground/page/"];
+    let generated = ["generated/", "tests/corpus/golden/", "ground/page/", "tests/plain/programs/"];
     if generated.iter().any(|folder| file.path.starts_with(folder))
         || LISTS.contains(&&*file.path)
         || !ends(&[".rs", ".md", ".ts", ".html", ".tera", ".c", ".h"])

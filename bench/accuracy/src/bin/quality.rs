@@ -18,12 +18,12 @@ use bessemer_legs::kernels::{Program, kernel};
 use bessemer_legs::toolchain::{self, Toolchain};
 use rug::Float;
 
-/// Eighty decimal digits.
+/// Precision of the reference, in bits: eighty decimal digits.
 const PRECISION: u32 = 266;
-/// Systems of each kind and size.
+/// Number of systems of each kind and size.
 const SYSTEMS: u64 = 40;
 
-/// The C of the fast mode: of more than twenty rows, where the processor fuses.
+/// Settings for the C of the fast mode, for more than twenty rows on a processor with fused multiply-add.
 const FAST: Tuning =
     Tuning { code_bytes: 8 * 1024, mode: Mode::Fast, processors: Processors::Every };
 const FUSING: Toolchain = Toolchain { level: 3, more: &["-march=native"], ..toolchain::GCC };
@@ -31,7 +31,7 @@ const FAST_SIZE: usize = 33;
 const FAST_SOLVE: &str = "solve, fast mode";
 const FAST_INVERSE: &str = "inverse, fast mode";
 
-/// An inverse as the solution of `A X = I`: the way of four rows that is as good as LAPACK's.
+/// Name of the inverse as the solution of `A X = I`, the most accurate of the methods for four rows.
 const BY_SOLVING: &str = "solve with I";
 
 /// Classes of matrices.
@@ -52,7 +52,7 @@ const KINDS: [(Kind, &str); 5] = [
     (Kind::Definite, "random, symmetric, definite"),
 ];
 
-/// xorshift64*.
+/// A random generator: xorshift64*.
 struct Random(u64);
 
 impl Random {
@@ -90,7 +90,7 @@ fn matrix<const N: usize>(kind: Kind, random: &mut Random) -> SMatrix<f64, N, N>
     a
 }
 
-/// LAPACK, as a process.
+/// LAPACK in a separate process.
 struct Lapack(Child, BufReader<std::process::ChildStdout>);
 
 impl Lapack {
@@ -128,7 +128,7 @@ impl Lapack {
     }
 }
 
-/// The solution of a system to eighty digits, by elimination with row pivots.
+/// The solution of a system to eighty digits, by elimination with row pivoting.
 fn truth(n: usize, a: &[f64], b: &[f64]) -> Vec<Float> {
     let exact = |value: &f64| Float::with_val(PRECISION, *value);
     let mut a: Vec<Float> = a.iter().map(exact).collect();
@@ -267,7 +267,7 @@ fn systems<const N: usize>(routine: &str, kind: Kind, others: &mut Others) -> Fi
     findings
 }
 
-/// The inverse, by columns.
+/// Computes the inverse; elements are by columns.
 fn inverse<const N: usize>(routine: &str, a: &SMatrix<f64, N, N>, others: &mut Others) -> Vec<f64> {
     let mut inverse = if routine == BY_SOLVING { SMatrix::identity() } else { *a };
     let found = match routine {
@@ -289,7 +289,7 @@ fn median(list: &[[f64; 2]], which: usize) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or_default()
 }
 
-/// A line of the table, and an object of the JSON.
+/// Formats a line of the table and an object of the JSON.
 fn report(routine: &str, n: usize, kind: &str, findings: &Findings) -> (String, Option<String>) {
     let both = [&findings.ours, &findings.theirs];
     let count = both[0].len();

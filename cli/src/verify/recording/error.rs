@@ -34,7 +34,7 @@ pub enum Wrong {
     Row {
         /// The row.
         place: String,
-        /// Its number of columns.
+        /// Number of columns of the row.
         found: usize,
         /// The first row's number of columns.
         wanted: usize,
@@ -42,11 +42,11 @@ pub enum Wrong {
     /// A cell is no value of its type.
     #[error("{place}: `{text}` is no {kind}, as `{column}` has to be{remedy}")]
     Cell {
-        /// Its row.
+        /// Row of the cell.
         place: String,
-        /// Its column.
+        /// Column of the cell.
         column: String,
-        /// Its text.
+        /// Text of the cell.
         text: String,
         /// The values of the column.
         kind: String,

@@ -40,7 +40,7 @@ impl<'n> Enumerators<'n> {
         Enumerators { enums, positions }
     }
 
-    /// Rewrites the choices of a function's body.
+    /// Simplifies the `if` chains and `switch` statements of a function's body.
     pub fn rewrite(&self, body: &mut Vec<Stmt>) {
         for mut stmt in std::mem::take(body) {
             if matches!(stmt.kind, StmtKind::If { .. }) {

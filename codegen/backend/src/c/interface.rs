@@ -35,9 +35,9 @@ pub struct Bytes {
 /// A struct.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Struct {
-    /// Its name.
+    /// Name of the struct.
     pub name: String,
-    /// Its name in Rust, `motor::Gains`.
+    /// Name of the struct in Rust, `motor::Gains`.
     pub rust: String,
     /// Author's comment, by lines.
     pub docs: Vec<String>,
@@ -53,9 +53,9 @@ pub struct Struct {
     pub set_by: Option<String>,
     /// Words that this function sets, in memory order; the word of an enum is its value.
     pub words: Option<Vec<u64>>,
-    /// Its size.
+    /// Size of the struct.
     pub size: Bytes,
-    /// Its fields.
+    /// Fields of the struct.
     pub fields: Vec<Field>,
 }
 
@@ -90,13 +90,13 @@ pub struct Value {
 /// An enum.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Enum {
-    /// Its name.
+    /// Name of the enum.
     pub name: String,
     /// Author's comment, by lines.
     pub docs: Vec<String>,
     /// The header that declares it.
     pub header: String,
-    /// Its size.
+    /// Size of the enum.
     pub size: Bytes,
     /// Enumerators: name, value, comment.
     pub variants: Vec<(String, i32, Vec<String>)>,
@@ -105,9 +105,9 @@ pub struct Enum {
 /// An entry point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
-    /// Its name.
+    /// Name of the entry point.
     pub name: String,
-    /// Its name in Rust, `Motor::step`.
+    /// Name of the entry point in Rust, `Motor::step`.
     pub rust: String,
     /// Author's comment, by lines.
     pub docs: Vec<String>,
@@ -124,7 +124,7 @@ pub struct Entry {
 /// A parameter of an entry point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Its name.
+    /// Name of the parameter.
     pub name: String,
     /// Passing mode.
     pub passing: Passing,

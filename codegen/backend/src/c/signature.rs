@@ -20,7 +20,7 @@ pub enum Passing {
 /// A parameter of a C function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Param {
-    /// Its name.
+    /// Name of the parameter.
     pub name: String,
     /// Type of the value; for a pointer, of the pointee.
     pub ty: Type,
@@ -44,7 +44,7 @@ pub enum Returned {
 /// C signature of a function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Signature {
-    /// Its name.
+    /// Name of the function.
     pub name: String,
     /// Storage class.
     pub storage: Storage,

@@ -37,7 +37,7 @@ pub struct Measured {
     pub port: Port,
     /// Path in the C: `target.position`, `axes[].gain`.
     pub place: String,
-    /// Its unit.
+    /// Unit of the value.
     pub unit: String,
 }
 

@@ -11,7 +11,7 @@ const THREADS: &str = include_str!("threads.c");
 /// A C function that computes a share of the work. Its last two parameters are the first part and the distance
 /// between parts.
 pub(super) struct Work<'a> {
-    /// Its name.
+    /// Name of the C function.
     pub name: &'a str,
     /// Parameters shared by the threads: types and names.
     pub shared: &'a [(&'a str, &'a str)],

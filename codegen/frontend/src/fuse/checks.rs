@@ -30,8 +30,8 @@ fn local(value: &Expr) -> Option<LocalId> {
     }
 }
 
-/// Returns the indices of each step that may be out of range by the type of the place; none for an index that
-/// is no local.
+/// Returns the indices of each step that may be out of range by the type of the place. An index that is not a local is
+/// `None`.
 pub(super) fn doubtful(
     module: &Module,
     locals: &[Local],

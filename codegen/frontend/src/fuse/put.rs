@@ -34,7 +34,7 @@ pub(super) fn close_ranks(function: &mut Function, gone: &[bool]) {
 struct Put<'g> {
     gone: &'g [bool],
     values: Vec<Option<Expr>>,
-    /// True for each check to come that goes.
+    /// For each remaining check, from the last on: true if it is removed.
     checks: std::iter::Rev<std::slice::Iter<'g, bool>>,
     blanks: bool,
 }

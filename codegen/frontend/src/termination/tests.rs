@@ -152,7 +152,7 @@ fn what_goes_on_before_a_step_has_made_none() {
     ends("if i >= n { break; } i = i + 1u8; if i == m { continue; } n = n.min(m);");
 }
 
-/// High is above 0 only until it is written: then less of it may be more.
+/// The upper number is above 0 only until it is written: after that, subtracting from it may wrap.
 #[test]
 fn high_is_above_zero_until_it_is_written() {
     ends("if i >= n { break; } n = n.wrapping_sub(1u8);");

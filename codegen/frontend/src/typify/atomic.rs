@@ -42,8 +42,8 @@ fn commit(copies: &[(Place, Place)], span: Span) -> impl Iterator<Item = Stmt> {
     })
 }
 
-/// Replaces each write through a reference by a write to its copy, and inserts the copying back before each `return`,
-/// after the returned value is computed.
+/// Replaces each write through a reference by a write to its copy. Before each `return`, after the returned value is
+/// computed, it inserts the copying back.
 struct RolledBack<'l, 'a, 'c> {
     lowering: &'l mut Lowering<'a, 'c>,
     copies: &'l [(Place, Place)],

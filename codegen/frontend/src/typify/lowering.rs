@@ -32,7 +32,7 @@ pub(super) struct Lowering<'a, 'c> {
     pub result: Type,
     /// Locals without a name of the author's, which are not written again.
     pub held: HashSet<LocalId>,
-    /// Those of `held` that [`fuse`](crate::fuse) may substitute.
+    /// Locals of `held` that [`fuse`](crate::fuse) may substitute.
     pub atoms: HashSet<LocalId>,
     /// Counters that only their loop changes, and parameters that nothing changes.
     pub steady: HashSet<LocalId>,

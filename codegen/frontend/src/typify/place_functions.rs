@@ -18,8 +18,8 @@ use super::rewrite::Placed;
 use super::value::Value;
 use super::{Context, Needed, Problem, Result, refusals, refused};
 
-/// Returns true if a function returns a mutable reference to a place, false for a shared one; none if it returns a
-/// value or a slice.
+/// Returns true if a function returns a mutable reference to a place, and false for a shared one. It is `None` if the
+/// function returns a value or a slice.
 pub(super) fn lends(function: &tree::Function) -> Option<bool> {
     match result_of(function) {
         Some(Ty::Ref(inner, mutable)) if !matches!(**inner, Ty::Slice(_)) => Some(*mutable),

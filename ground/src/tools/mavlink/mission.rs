@@ -1,8 +1,8 @@
-//! Missions: handed in and read back as MAVLink's protocol has it, flown as a trajectory.
+//! Missions: uploaded and downloaded by MAVLink's protocol, and flown as a trajectory.
 //!
-//! A mission goes up to the aircraft as a whole before it is flown, so that it needs no link on its way: each item becomes
-//! a set point, from the time on at which the one before it is reckoned to be done. What is left to the ground is to say
-//! when it lands, and how far it is. Knows items, not who may send them.
+//! The whole mission is sent to the aircraft before it is flown, so that it does not depend on the link. Each item
+//! becomes a setpoint that begins when the previous one is expected to be done. The ground only commands the landing
+//! and reports the progress. Knows items, but not who may send them.
 
 use super::telemetry::is_flying;
 use crate::messages::{Ask, Point};
@@ -27,26 +27,26 @@ const REQUEST_LIMIT: u32 = 5;
 /// Time after which a take-off has failed, s: the station has given up.
 const TAKEOFF_TIMEOUT: f64 = 6.0;
 
-/// Local coordinates of items are whole numbers of 0.1 mm.
+/// Number of units in a metre: items have whole numbers of 0.1 mm.
 const UNITS: f64 = 1e4;
 
 /// Meaning of a mission item.
 #[derive(Clone, Copy, Debug)]
 enum What {
-    /// A place, m, with a yaw, rad, unless it is to stay, and a time for which to stay there, s.
+    /// Flies to a position, m, with a yaw, rad, if one is set, and waits there, s.
     Place { place: Vector3<f64>, yaw: Option<f64>, hold: f64 },
-    /// Down.
+    /// Lands.
     Land,
 }
 
-/// An item, as it came and as it is meant.
+/// A mission item as received, and its meaning.
 #[derive(Clone, Debug)]
 struct Item {
     raw: MISSION_ITEM_INT_DATA,
     what: What,
 }
 
-/// A mission that is being handed in.
+/// A mission that is being uploaded.
 #[derive(Debug)]
 struct Upload {
     from: Peer,
@@ -59,9 +59,9 @@ struct Upload {
 /// A mission that is being flown.
 #[derive(Debug)]
 struct Flight {
-    /// When each item begins, in seconds since the take-off.
+    /// Start of each item, in seconds since the take-off.
     begins: Vec<f64>,
-    /// When that was.
+    /// Time of the take-off, s.
     zero: f64,
     started: f64,
     airborne: bool,
@@ -76,9 +76,9 @@ pub type Peer = (u8, u8);
 /// State of the flight that a mission depends on.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
-    /// The part of the flight.
+    /// Phase of the flight.
     pub phase: u8,
-    /// Time since the take-off, s, if it comes down.
+    /// Time since the take-off, s, if it is received.
     pub time: Option<f64>,
     /// Position of the aircraft, m, if it is received.
     pub place: Option<Vector3<f64>>,
@@ -132,7 +132,7 @@ impl Mission {
         }
     }
 
-    /// Asks once more for an item that does not come.
+    /// Requests a missing item again.
     pub fn tick(&mut self, now: f64) -> Option<MavMessage> {
         let upload = self.upload.as_mut().filter(|it| now - it.asked >= RETRY_PERIOD)?;
         (upload.asked, upload.tries) = (now, upload.tries + 1);
@@ -144,10 +144,11 @@ impl Mission {
         Some(ack(from, MavMissionResult::MAV_MISSION_OPERATION_CANCELLED, OURS))
     }
 
-    /// Flies the mission from where the aircraft is: what that takes.
+    /// Starts the mission at the aircraft's position; returns the necessary requests.
     ///
     /// # Errors
-    /// There is none, it is being flown, or the aircraft is not armed.
+    ///
+    /// There is no mission, it is being flown, or the aircraft is not armed.
     pub fn start(&mut self, now: f64, seen: &Seen) -> Result<Vec<Ask>, MavResult> {
         let flying = is_flying(seen.phase);
         let begin = if flying { seen.time } else { Some(0.0) };
@@ -185,7 +186,7 @@ impl Mission {
         Ok([Ask::Fly { points }].into_iter().chain(up).collect())
     }
 
-    /// Somebody wants something else.
+    /// Ends the mission, since another request has priority.
     pub fn leave(&mut self) {
         self.flight = None;
     }
@@ -317,7 +318,7 @@ impl Mission {
     }
 }
 
-/// The kind of mission that there is: no fences, no rally points.
+/// The only kind of mission that is supported: no fences, no rally points.
 const OURS: MavMissionType = MavMissionType::MAV_MISSION_TYPE_MISSION;
 
 /// Returns the meaning of an item, or the reason why it cannot be flown.
@@ -354,7 +355,7 @@ fn meant(it: &MISSION_ITEM_INT_DATA) -> Result<What, MavMissionResult> {
     Ok(What::Place { place, yaw, hold })
 }
 
-/// Asks for the next item.
+/// Requests the next item.
 fn request(upload: &Upload) -> MavMessage {
     MavMessage::MISSION_REQUEST_INT(MISSION_REQUEST_INT_DATA {
         seq: upload.items.len() as u16,

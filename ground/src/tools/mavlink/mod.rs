@@ -1,10 +1,10 @@
-//! The flight as a MAVLink 2 system: what comes down as its telemetry, its commands as orders.
+//! The flight as a MAVLink 2 system: sends telemetry, and converts MAVLink's commands.
 //!
-//! One ground station at one address; what others send to the socket does not arrive. It takes the command with its first
-//! command if nobody has it, and loses it when it is silent; to stop, it need not have it. A command is acknowledged
-//! when it has been sent to the aircraft.
+//! It serves one ground station at one address and ignores datagrams of others. The station gets the right to command
+//! with its first command, if no other client has it, and loses it after silence; stopping the motors does not need
+//! the right. A command is acknowledged when it has been sent to the aircraft.
 //!
-//! Frames: [`telemetry`]. Knows messages, not what is done about them.
+//! Frames: [`telemetry`]. Knows messages, but not their effects.
 
 mod mission;
 mod parameters;
@@ -30,17 +30,17 @@ use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, UdpSocket};
 use telemetry::is_flying;
 
-/// Our system and component.
+/// MAVLink numbers of the aircraft: its system and its component.
 const SYSTEM: u8 = 1;
 const COMPONENT: u8 = 1;
 
-/// After so long without a word the ground station commands no more, s.
+/// Silence after which the ground station loses the right to command, s.
 const SILENT: f64 = 5.0;
 
-/// After so long without a word the aircraft's heart beats no more, s.
+/// Silence of the aircraft after which its heartbeat is no longer sent, s.
 const LOST: f64 = 3.0;
 
-/// Datagrams that are taken in a period: more wait in the socket, and are lost there.
+/// Number of datagrams that are read in a period; more wait in the socket, and may be lost there.
 const MOST: usize = 16;
 
 /// Periods of heartbeat (with battery and mission) and of phase messages, in control periods.
@@ -52,7 +52,7 @@ const STICK_TILT: f64 = 0.12;
 const STICK_YAW_RATE: f64 = 1.0;
 const STICK_CLIMB: f64 = 0.4;
 
-/// With this, a disarming in the air is meant (MAV_CMD_COMPONENT_ARM_DISARM).
+/// Parameter that forces a disarming in the air (MAV_CMD_COMPONENT_ARM_DISARM).
 const FORCE: f32 = 21196.0;
 
 /// The link to a MAVLink ground station.
@@ -71,9 +71,10 @@ pub struct Mavlink {
 type Verdict = Result<Vec<Ask>, MavResult>;
 
 impl Mavlink {
-    /// A link to the ground station that listens at an address, with or without a key.
+    /// Creates a link to the ground station at an address, with or without a key.
     ///
     /// # Errors
+    ///
     /// There is no port.
     pub fn start(station: SocketAddr, signature: Signature) -> io::Result<Self> {
         let own: IpAddr = match station.ip().is_loopback() && station.is_ipv4() {
@@ -266,7 +267,7 @@ impl Tool for Mavlink {
     }
 }
 
-/// To whom a message goes; none for those that go to nobody in particular.
+/// The addressee of a message; `None` for a broadcast.
 fn addressed(message: &MavMessage) -> Option<Peer> {
     Some(match message {
         MavMessage::COMMAND_LONG(it) => (it.target_system, it.target_component),
@@ -298,7 +299,8 @@ fn seen(testbed: &Testbed) -> Seen {
     }
 }
 
-/// Sticks: forward, right and clockwise, each from -1000 to 1000; thrust from 0 to 1000, in whose middle it stays at its height.
+/// Converts sticks: forward, right and clockwise, each from -1000 to 1000; thrust from 0 to 1000, where 500 keeps the
+/// height.
 fn sticks(it: &MANUAL_CONTROL_DATA) -> Ask {
     // The largest number represents an axis that there is not.
     let axis = |value: i16, middle: i16| match value {
@@ -315,7 +317,7 @@ fn sticks(it: &MANUAL_CONTROL_DATA) -> Ask {
     }
 }
 
-/// Lets through what needs no command, or whoever has it.
+/// Accepts requests that need no right to command, or whose sender has it.
 fn allowed(seat: &Seat, asks: Vec<Ask>) -> Verdict {
     if asks.iter().all(|ask| matches!(ask, Ask::Stop)) || seat.claim(false) {
         Ok(asks)
@@ -349,7 +351,7 @@ fn command(testbed: &Testbed, it: &COMMAND_LONG_DATA) -> Verdict {
     }
 }
 
-/// A mode by its number on board.
+/// Converts the number of a mode.
 fn mode(number: u32) -> Result<Ask, MavResult> {
     match number {
         0 => Ok(Ask::Mode { mode: Flown::ClosedLoop }),
@@ -359,7 +361,7 @@ fn mode(number: u32) -> Result<Ask, MavResult> {
     }
 }
 
-/// A place to go to; without a yaw of its own, that of now is held.
+/// Converts a target position; without a yaw, the present one is kept.
 fn place(testbed: &Testbed, it: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Result<Ask, MavResult> {
     use PositionTargetTypemask as Mask;
     let without = Mask::POSITION_TARGET_TYPEMASK_X_IGNORE

@@ -1,4 +1,4 @@
-//! The parameters of `models::tuning` as MAVLink has them: by names of at most 16 letters, in single precision.
+//! The parameters of `models::tuning` in MAVLink's form: with names of at most 16 letters, in single precision.
 
 use crate::testbed::Testbed;
 use ::mavlink::dialects::common::*;
@@ -28,12 +28,12 @@ const NAMES: [&str; PARAMETER_COUNT] = [
     "CANDIDATE",
 ];
 
-/// The number of the parameter of a name.
+/// Returns the number of the parameter with a name.
 pub fn number_of(name: &str) -> Option<usize> {
     NAMES.iter().position(|it| *it == name)
 }
 
-/// A parameter; what is not known yet is no number.
+/// Returns the message with a parameter; its value is NaN if it is not known yet.
 pub fn parameter(testbed: &Testbed, number: usize) -> MavMessage {
     MavMessage::PARAM_VALUE(PARAM_VALUE_DATA {
         param_value: testbed.station.parameters[number].map_or(f32::NAN, |value| value as f32),
@@ -44,7 +44,7 @@ pub fn parameter(testbed: &Testbed, number: usize) -> MavMessage {
     })
 }
 
-/// The number that was written with the fewest digits: 0.1 became an `f32` on its way, and its bound is an `f64`.
+/// Converts to the shortest decimal number: 0.1 became an `f32` in the message, and its limit is an `f64`.
 pub fn decimal(value: f32) -> f64 {
     value.to_string().parse().unwrap_or(f64::NAN)
 }

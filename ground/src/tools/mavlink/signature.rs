@@ -1,4 +1,4 @@
-//! MAVLink 2's signature: with a key, what goes out is signed, and what comes in unsigned, forged or once more is kept out.
+//! MAVLink 2's signature: with a key, sent messages are signed, and unsigned, forged or repeated ones are rejected.
 //!
 //! The key is never shown.
 
@@ -8,10 +8,10 @@ use ::mavlink::{MAVLinkV2MessageRaw, MavHeader, SigningConfig, SigningData};
 use std::fmt;
 use std::path::Path;
 
-/// The link on which we sign: there is one.
+/// Number of the link on which messages are signed; there is only one.
 const LINK: u8 = 0;
 
-/// The signature of one link.
+/// Signs and checks the messages of one link.
 #[derive(Default)]
 pub struct Signature {
     signing: Option<SigningData>,
@@ -26,7 +26,7 @@ impl fmt::Debug for Signature {
 }
 
 impl Signature {
-    /// With a secret of 32 bytes, as both ends have it.
+    /// Creates a signature from a secret of 32 bytes that both ends have.
     pub fn new(secret: [u8; 32]) -> Self {
         let signing = SigningData::from_config(SigningConfig::new(secret, LINK, true, false));
         Self { signing: Some(signing), refused: 0 }
@@ -40,7 +40,7 @@ impl Signature {
         secret(path).map(Self::new)
     }
 
-    /// A message as it goes out.
+    /// Returns a message in its wire format, signed if there is a key.
     pub fn sealed(&self, header: MavHeader, message: &MavMessage) -> MAVLinkV2MessageRaw {
         let mut raw = MAVLinkV2MessageRaw::new();
         match &self.signing {

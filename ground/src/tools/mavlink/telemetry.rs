@@ -1,7 +1,7 @@
-//! The ground's knowledge of the aircraft, as MAVLink's telemetry.
+//! The telemetry of the ground station in MAVLink's messages.
 //!
-//! Frames: MAVLink's north, east and down are the room's x, -y and -z; its angles are those of the turns about body
-//! axes forward, right, down, in the order yaw, pitch, roll.
+//! Frames: MAVLink's north, east and down are the room's x, -y and -z; its angles are rotations about the body axes
+//! forward, right, down, in the order yaw, pitch, roll.
 
 use crate::testbed::{Testbed, period};
 use ::mavlink::dialects::common::*;
@@ -10,10 +10,10 @@ use nalgebra::{Rotation3, Vector3};
 use sim::ground_station::Record;
 use sim::plant::rotation;
 
-/// The position goes out with every fifth record.
+/// Number of records between two messages with the position.
 const PLACE: u32 = 5;
 
-/// Attitude and place of a record, as far as it holds them: the place with every so many records.
+/// Returns the messages with the attitude and, every few records, the position.
 pub fn record(testbed: &Testbed, record: &Record, count: u32) -> Vec<MavMessage> {
     let time_boot_ms = (f64::from(record.period) * 1000.0 * period()) as u32;
     let mut told = Vec::new();
@@ -50,7 +50,7 @@ pub fn place(testbed: &Testbed) -> Option<Vector3<f64>> {
     read(testbed, [0, 1, 2])
 }
 
-/// Time since the take-off, s, if that comes down.
+/// Returns the time since the take-off, s, if it is received.
 pub fn flight_time(testbed: &Testbed) -> Option<f64> {
     read(testbed, [17; 3]).map(|it| it.x)
 }
@@ -60,7 +60,7 @@ fn read(testbed: &Testbed, signals: [u8; 3]) -> Option<Vector3<f64>> {
     known.then(|| Vector3::from(signals.map(|it| f64::from(testbed.station.signal(it)))))
 }
 
-/// Roll, pitch and yaw as MAVLink has them, rad, from the thesis' angles.
+/// Converts the thesis' angles to MAVLink's roll, pitch and yaw, rad.
 fn turned(angles: &Vector3<f64>) -> (f64, f64, f64) {
     let flipped = nalgebra::Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0));
     Rotation3::from_matrix_unchecked(flipped * rotation(angles) * flipped).euler_angles()
@@ -71,7 +71,7 @@ pub fn is_flying(phase: u8) -> bool {
     phase != Phase::Ready as u8 && phase != Phase::Over as u8
 }
 
-/// That it lives: mode, alarm, whether it could take off.
+/// Returns the heartbeat: mode, alarm, and whether the aircraft can take off.
 pub fn heartbeat(testbed: &Testbed) -> MavMessage {
     let phase = testbed.station.phase();
     let mut base_mode = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
@@ -113,7 +113,7 @@ pub fn landed(testbed: &Testbed) -> MavMessage {
     MavMessage::EXTENDED_SYS_STATE(EXTENDED_SYS_STATE_DATA { vtol_state, landed_state })
 }
 
-/// The battery of the simulated aircraft, which has no word for it on its link.
+/// Returns the battery of the simulated aircraft; its own telemetry does not include it.
 pub fn battery(testbed: &Testbed) -> MavMessage {
     let it = testbed.bench.battery();
     let mut voltages = [u16::MAX; 10];

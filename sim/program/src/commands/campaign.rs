@@ -1,4 +1,4 @@
-//! `cargo xtask campaign`: very many flights on all cores, and what they come to.
+//! `cargo xtask campaign`: flies very many flights on all cores, and summarises their results.
 
 use super::Outcome;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -8,7 +8,7 @@ use sim_args::{Campaign, Subject};
 use std::collections::BTreeSet;
 use std::sync::Mutex;
 
-/// Flies what is missing, and tells what all come to.
+/// Flies the missing flights, and prints a summary of all.
 pub fn run(wanted: &Campaign) -> Outcome {
     let kind = match wanted.kind {
         Subject::Spread => Kind::Spread,

@@ -1,4 +1,4 @@
-//! `cargo xtask sim`: flies one flight, or all, and says how it went.
+//! `cargo xtask sim`: flies one flight, or all, and prints the results.
 
 use super::{Outcome, write};
 use bessemer_legs::toolchain::{GCC, ZYNQ};
@@ -16,11 +16,11 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Instant;
 
-/// The flight of the closed loop alone, with a perfect estimator.
+/// Name and description of the flight of the closed loop alone, with a perfect estimator.
 const CLOSED_LOOP: (&str, &str) =
     ("every-channel", "the closed loop alone, every channel of it: yaw step, x step, gusts");
 
-/// Flies what was requested.
+/// Flies the requested flights.
 pub fn run(wanted: &Fly) -> Outcome {
     let name = match &wanted.flight {
         Some(name) if !wanted.list => name.as_str(),
@@ -111,7 +111,7 @@ impl CLeg {
         })
     }
 
-    /// Flies, and keeps the digest of each period.
+    /// Flies, and stores the hash of each period.
     fn fly(
         &mut self,
         scenario: &Scenario,
@@ -149,7 +149,7 @@ impl CLeg {
     }
 }
 
-/// Flies with a progress bar, and keeps what the software said and remembered in each period, as one word.
+/// Flies with a progress bar; returns for each period a hash of the software's outputs and state.
 fn flown(
     name: &str,
     scenario: &Scenario,
@@ -173,7 +173,7 @@ fn flown(
     Voyage { moments, records }
 }
 
-/// The period in which two flights part.
+/// Returns the first period in which two flights differ.
 fn parting(one: &[u64], other: &[u64]) -> Option<usize> {
     let common = one.len().min(other.len());
     let parted = one.iter().zip(other).position(|(here, there)| here != there);

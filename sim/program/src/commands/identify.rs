@@ -1,5 +1,5 @@
-//! `cargo xtask identify`: the thrust coefficients that a logged flight speaks for, by the thesis' method
-//! and by a well-posed one.
+//! `cargo xtask identify`: identifies the thrust coefficients of a logged flight, by the thesis' method and by a
+//! well-posed one.
 
 use super::{Outcome, write};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -20,7 +20,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-/// Identifies.
+/// Identifies the coefficients of a flight, or runs the study.
 pub fn run(wanted: &Identify) -> Outcome {
     match (&wanted.flight, wanted.study) {
         (Some(path), _) => one(wanted, path),
@@ -101,7 +101,7 @@ fn one(wanted: &Identify, path: &Path) -> Outcome {
     Ok(true)
 }
 
-/// Times costs within 1 % of `found`, where the model stays in the air longest.
+/// Measures the time of costs within 1 % of `found`, where the model stays in the air longest.
 fn timed(count: u32, logged: &Logged, sheet: &Airframe, found: &[f64]) {
     let near = |n: u32| -> Vec<f64> {
         let part = f64::from(n) / f64::from(count.max(1));

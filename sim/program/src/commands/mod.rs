@@ -1,4 +1,4 @@
-//! The commands: what they are given, what they say. What they compute lives in the package `sim`.
+//! The commands: their arguments and output. Their computation is in the package `sim`.
 
 pub mod campaign;
 pub mod fly;
@@ -9,7 +9,7 @@ use std::error::Error;
 /// True if everything was as expected; an error if that could not be determined.
 pub type Outcome = Result<bool, Box<dyn Error>>;
 
-/// Writes a file, and says which one it was if it cannot.
+/// Writes a file; an error includes its name.
 pub fn write(path: &std::path::Path, content: impl AsRef<[u8]>) -> Result<(), Box<dyn Error>> {
     std::fs::write(path, content).map_err(|error| format!("`{}`: {error}", path.display()).into())
 }

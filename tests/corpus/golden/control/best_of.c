@@ -87,7 +87,7 @@ void best_of_peak(const uint8_t values[5], option_usize_t *result)
 
 /* best_of.h */
 
-/** A way to go, and what it costs. */
+/** A route and its cost. */
 typedef struct {
     uint8_t to;
     uint16_t cost;

@@ -97,7 +97,7 @@ void closure_patterns_counted(const option_u8_t *value, uint8_t n, triple_u8_u32
 
 /* closure_patterns.h */
 
-/** A candidate. */
+/** A track with its quality. */
 typedef struct {
     uint16_t id;
     float score;

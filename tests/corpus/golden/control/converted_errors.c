@@ -102,7 +102,7 @@ void converted_errors_total(const uint8_t one[3], const uint8_t other[3], float 
 /** Which variant of `FrameFault`. */
 typedef enum {
     FRAME_FAULT_TAG_SHORT = 0,
-    /** The byte that should have begun it. */
+    /** The first byte is wrong: its value. */
     FRAME_FAULT_TAG_START = 1
 } frame_fault_tag_t;
 
@@ -110,7 +110,7 @@ typedef enum {
 typedef struct {
     /** Which variant it is. */
     frame_fault_tag_t tag;
-    /** The byte that should have begun it. */
+    /** The first byte is wrong: its value. */
     uint8_t start;
 } frame_fault_t;
 
@@ -127,7 +127,7 @@ typedef struct {
 /** Which variant of `DriveFault`. */
 typedef enum {
     DRIVE_FAULT_TAG_OVERLOAD = 0,
-    /** It was told something that is no frame. */
+    /** The received frame is invalid. */
     DRIVE_FAULT_TAG_LINK = 1
 } drive_fault_tag_t;
 
@@ -135,7 +135,7 @@ typedef enum {
 typedef struct {
     /** Which variant it is. */
     drive_fault_tag_t tag;
-    /** It was told something that is no frame. */
+    /** The received frame is invalid. */
     frame_fault_t link;
 } drive_fault_t;
 
@@ -149,7 +149,7 @@ typedef struct {
     drive_fault_t error;
 } result_f32_drive_fault_t;
 
-/** A number for the display. */
+/** The number of a fault for the display. */
 typedef struct {
     uint16_t value;
 } fault_code_t;

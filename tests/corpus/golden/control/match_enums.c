@@ -65,7 +65,7 @@ match_enums_phase_t sequence_step(sequence_t *self, double height, bool land)
 
 /* sequence.h */
 
-/** The phases one after another. */
+/** Steps through the phases in order. */
 typedef struct {
     match_enums_phase_t phase;
     uint16_t ticks;

@@ -31,7 +31,7 @@ float match_parts_length(const match_parts_stretch_t *stretch)
 
 /* match_parts.h */
 
-/** A key, and for how long it has been down. */
+/** A key and how long it has been pressed. */
 typedef struct {
     uint8_t code;
     option_u16_t held;
@@ -50,7 +50,7 @@ typedef struct {
     float half;
 } stretch_around_t;
 
-/** A part of a line. */
+/** A segment of a line. */
 typedef struct {
     /** Which variant it is. */
     stretch_tag_t tag;

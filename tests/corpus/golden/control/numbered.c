@@ -88,8 +88,8 @@ float numbered_gathered(bin_t first[2], bin_t second[3], float x)
 
 /* numbered.h */
 
-/** A filter that gives its power once. */
+/** A filter whose power can be taken once. */
 typedef struct {
-    /** Its two parts. */
+    /** The two parts of its state. */
     float parts[2];
 } bin_t;

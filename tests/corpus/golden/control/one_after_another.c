@@ -62,12 +62,12 @@ bessemer_status_t one_after_another_left(const int16_t samples[7], int32_t *resu
 {
     int32_t sum = 0;
     for (uint32_t i = 0U; i < 4U; i++) {
-        const uint32_t result_index = i * 2U;
-        if ((int64_t)sum + (int64_t)(int32_t)samples[result_index] < INT32_MIN
-                || (int64_t)sum + (int64_t)(int32_t)samples[result_index] > INT32_MAX) {
+        const int32_t sum_samples = (int32_t)samples[i * 2U];
+        if ((int64_t)sum + (int64_t)sum_samples < INT32_MIN
+                || (int64_t)sum + (int64_t)sum_samples > INT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        sum += (int32_t)samples[result_index];
+        sum += sum_samples;
     }
     *result = sum;
     return BESSEMER_STATUS_OK;

@@ -131,7 +131,7 @@ bessemer_status_t programs_control_own_iterators_followed(const int32_t values[5
 
 /* programs_control_own_iterators.h */
 
-/** The steps of a ramp: each as far from the last as the slope says, and the goal in the end. */
+/** The steps of a ramp: each changes by at most the slope, and the last is the goal. */
 typedef struct {
     int32_t at;
     int32_t goal;

@@ -46,7 +46,7 @@ void question_mark_power(uint16_t volts, uint16_t amperes, result_f64_failure_t 
 
 /* question_mark.h */
 
-/** Why there is no voltage. */
+/** Reason why there is no voltage. */
 typedef enum {
     FAILURE_OPEN = 0,
     FAILURE_SHORT = 1

@@ -86,11 +86,11 @@ void tried_folds_span(const float readings[4], option_pair_f32_f32_t *result)
 
 /* tried_folds.h */
 
-/** Why a text is no number. */
+/** Reason why a text is not a number. */
 typedef enum {
-    /** A letter. */
+    /** The text contains a letter. */
     TRIED_FOLDS_TROUBLE_LETTER = 0,
-    /** More than fits. */
+    /** The number does not fit its type. */
     TRIED_FOLDS_TROUBLE_BEYOND = 1
 } tried_folds_trouble_t;
 

@@ -2,13 +2,13 @@
 
 /* debounce.h */
 
-/** Edge at a sample. */
+/** Change of the debounced level at a sample. */
 typedef enum {
-    /** The level is what it was. */
+    /** The level did not change. */
     BUTTON_EDGE_STEADY = 0,
-    /** It was pressed. */
+    /** The button was pressed. */
     BUTTON_EDGE_PRESSED = 1,
-    /** It was released. */
+    /** The button was released. */
     BUTTON_EDGE_RELEASED = 2
 } button_edge_t;
 
@@ -48,10 +48,10 @@ bool push_button_is_pressed(const push_button_t *self)
 
 /* push_button.h */
 
-/** A push button. */
+/** A debounced push button. */
 typedef struct {
-    /** True if it is held to be pressed. */
+    /** The debounced state: true if the button is pressed. */
     bool pressed;
-    /** Samples in a row that said otherwise, below `STABLE_SAMPLES`. */
+    /** Number of consecutive samples that differ from `pressed`; below `STABLE_SAMPLES`. */
     uint8_t differing;
 } push_button_t;

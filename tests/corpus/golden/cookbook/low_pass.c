@@ -26,7 +26,7 @@ void biquad_filter_preset(biquad_filter_t *self, const biquad_coefficients_t *co
 
 /* biquad_filter.h */
 
-/** A filter of second order. */
+/** State of a second-order filter. */
 typedef struct {
     float memory[2];
 } biquad_filter_t;
@@ -53,7 +53,7 @@ void low_pass_butterworth(float cutoff, float rate, biquad_coefficients_t *biqua
 
 /* low_pass.h */
 
-/** `(b0 + b1/z + b2/z²) / (1 + a1/z + a2/z²)`. */
+/** Coefficients of `(b0 + b1/z + b2/z²) / (1 + a1/z + a2/z²)`. */
 typedef struct {
     /** Coefficients of the input: b0, b1, b2. */
     float b[3];

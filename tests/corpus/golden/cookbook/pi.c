@@ -46,7 +46,7 @@ void pi_controller_preset(pi_controller_t *self, const pi_parameters_t *paramete
 
 /* pi_controller.h */
 
-/** Holds a speed. */
+/** Controls a speed. */
 typedef struct {
     /** Integral part of the output. Unit: V. */
     float integral;

@@ -28,19 +28,19 @@ float position_servo_step(position_servo_t *self, const servo_parameters_t *para
 
 /** Gains and limits of both loops. */
 typedef struct {
-    /** Speed for each rad of position error, 0 or more. Unit: 1/s. */
+    /** Speed setpoint for each rad of position error, 0 or more. Unit: 1/s. */
     float stiffness;
-    /** Highest speed that the position loop asks for, 0 or more. Unit: rad/s. */
+    /** Largest speed setpoint, 0 or more. Unit: rad/s. */
     float speed_limit;
-    /** The speed loop. */
+    /** Parameters of the speed loop. */
     pi_parameters_t speed;
 } servo_parameters_t;
 
-/** Holds a position. */
+/** Controls a position. */
 typedef struct {
     pi_controller_t speed_loop;
     /** Speed setpoint from the position loop. Unit: rad/s. */
     float wanted_speed;
-    /** Periods until the position loop is due. */
+    /** Number of periods until the position loop is due. */
     uint8_t countdown;
 } position_servo_t;

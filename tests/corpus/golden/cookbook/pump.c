@@ -14,13 +14,13 @@ typedef struct {
 
 /** Which variant of `PumpState`. */
 typedef enum {
-    /** It stands still. */
+    /** The pump is off. */
     PUMP_STATE_TAG_OFF = 0,
-    /** It fills the pipe, for so many milliseconds more. */
+    /** The pump fills the pipe; `left` is the remaining time in ms. */
     PUMP_STATE_TAG_PRIMING = 1,
-    /** It runs; milliseconds since flow was last seen. */
+    /** The pump runs; `dry` is the time since the last flow in ms. */
     PUMP_STATE_TAG_RUNNING = 2,
-    /** It ran dry, and stays off until that is acknowledged. */
+    /** The pump ran dry, and is off until that is acknowledged. */
     PUMP_STATE_TAG_LOCKED_OUT = 3
 } pump_state_tag_t;
 
@@ -30,16 +30,16 @@ typedef struct {
     pump_state_tag_t tag;
     /** What it holds. */
     union {
-        /** It fills the pipe, for so many milliseconds more. */
+        /** The pump fills the pipe; `left` is the remaining time in ms. */
         pump_state_priming_t priming;
-        /** It runs; milliseconds since flow was last seen. */
+        /** The pump runs; `dry` is the time since the last flow in ms. */
         pump_state_running_t running;
     } as;
 } pump_state_t;
 
 /** Inputs of a period. */
 typedef struct {
-    /** True if it is to run. */
+    /** True if the pump is to run. */
     bool demand;
     /** True if the flow switch is closed. */
     bool flow;
@@ -101,7 +101,7 @@ void pump_control_state(const pump_control_t *self, pump_state_t *pump_state)
 
 /* pump_control.h */
 
-/** Runs a pump. */
+/** Controls a pump. */
 typedef struct {
     pump_state_t state;
 } pump_control_t;

@@ -39,8 +39,8 @@ void q15_low_pass_step(q15_low_pass_t *self, const q15_t *gain, const q15_t *sha
 
 /* q15_low_pass.h */
 
-/** A low-pass of first order. */
+/** A first-order low-pass. */
 typedef struct {
-    /** The output with 30 bits behind the point. */
+    /** The output, with 30 fractional bits. */
     int32_t level;
 } q15_low_pass_t;

@@ -40,7 +40,7 @@ typedef struct {
     float period;
 } slew_limits_t;
 
-/** Follows a set point at limited rates. */
+/** Follows a setpoint at limited rates. */
 typedef struct {
     /** Last output. */
     float output;

@@ -14,10 +14,10 @@ void arrays_of_structs_current(const waypoint_t plan[4], double time, waypoint_t
 
 /* arrays_of_structs.h */
 
-/** A set point and when it begins. */
+/** A setpoint and the time from which it is valid. */
 typedef struct {
     /** Position, m. */
     double position[2];
-    /** Begin, s. */
+    /** Start of its validity, s. */
     double time;
 } waypoint_t;

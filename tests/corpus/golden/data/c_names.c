@@ -10,9 +10,9 @@ typedef struct {
 /** Which variant of `Order`. */
 typedef enum {
     VALVE_HOLD = 0,
-    /** To a share of its way. */
+    /** Move to a fraction of the opening. */
     VALVE_ORDER_TAG_MOVE = 1,
-    /** As fast as it can. */
+    /** Open or close as fast as possible. */
     VALVE_SLAM = 2
 } ValveOrder_tag_t;
 
@@ -22,9 +22,9 @@ typedef struct {
     ValveOrder_tag_t tag;
     /** What it holds. */
     union {
-        /** To a share of its way. */
+        /** Move to a fraction of the opening. */
         float wanted;
-        /** As fast as it can. */
+        /** Open or close as fast as possible. */
         ValveOrder_slam_t slam;
     } as;
 } ValveOrder_t;
@@ -40,11 +40,11 @@ typedef struct {
 #endif
 #endif
 
-/** The flow at each eighth of the way, l/min. */
+/** The flow at each eighth of the opening, l/min. */
 BESSEMER_SECTION(".rodata.curves")
 static const float kValveFlow[9] = {0.0F, 0.5F, 1.75F, 3.5F, 5.5F, 7.25F, 8.5F, 9.25F, 9.5F};
 
-/** The share of the way that it moves in a period. */
+/** Fraction of the opening that it moves in a period. */
 static const float kValveStep = 0.125F;
 
 void Valve_init(Valve_t *self)

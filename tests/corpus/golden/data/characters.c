@@ -137,9 +137,9 @@ uint32_t listener_hear(listener_t *self, uint8_t byte)
 
 /* listener.h */
 
-/** The last letter that was heard, and how often. */
+/** The last letter received, and how often it was received in a row. */
 typedef struct {
-    /** The last. */
+    /** The last letter received. */
     option_u32_t last;
     /** Number of occurrences. */
     uint8_t count;

@@ -178,17 +178,17 @@ bessemer_status_t checked_parts_last_time(const checked_parts_leg_t route[2], ui
 
 /** Which variant of `Missing`. */
 typedef enum {
-    /** The frame ends before it. */
+    /** The frame is too short. */
     MISSING_TAG_SHORT = 0,
-    /** It has no such place. */
+    /** The position is out of range. */
     MISSING_TAG_BEYOND = 1
 } missing_tag_t;
 
-/** Why a field is not there. */
+/** Reason why a field is missing. */
 typedef struct {
     /** Which variant it is. */
     missing_tag_t tag;
-    /** It has no such place. */
+    /** The position is out of range. */
     uint64_t beyond;
 } checked_parts_missing_t;
 
@@ -212,11 +212,11 @@ typedef struct {
     checked_parts_missing_t error;
 } result_u16_checked_parts_missing_t;
 
-/** A way, and the time that it takes. */
+/** A distance, and the time that it takes. */
 typedef struct {
-    /** m. */
+    /** Distance, m. */
     double way;
-    /** s. */
+    /** Time, s. */
     double time;
 } checked_parts_leg_t;
 

@@ -342,19 +342,19 @@ bessemer_status_t chosen_elements_framed(chosen_elements_frame_t *frame, uint8_t
 
 /* chosen_elements.h */
 
-/** A transfer that waits. */
+/** A pending transfer. */
 typedef struct {
-    /** Whose it is. */
+    /** Identifies the transfer. */
     uint8_t id;
-    /** True if it is under way. */
+    /** True if the transfer is in progress. */
     bool busy;
     /** Number of attempts. */
     uint16_t tries;
 } transfer_t;
 
-/** All of them. */
+/** All transfers. */
 typedef struct {
-    /** In no order. */
+    /** The transfers, in no particular order. */
     transfer_t all[6];
 } transfers_t;
 

@@ -5,16 +5,16 @@
 /** The length of a day, s. In Rust: `24 * 3600`. */
 static const uint32_t DAY = 86400U;
 
-/** Proportional and derivative. In Rust: `Gains::damped(2.0, -0.5)`. */
+/** Proportional and derivative gain. In Rust: `Gains::damped(2.0, -0.5)`. */
 static const computed_gains_t GAINS = {.proportional = 2.0, .derivative = -1.0};
 
 /** The largest step. */
 static const int16_t LARGEST = INT16_MAX;
 
-/** Remaining flags when one is not needed. In Rust: `1 << 24 | (DAY & 0xFF)`. */
+/** A mask computed from another constant. In Rust: `1 << 24 | (DAY & 0xFF)`. */
 static const uint32_t LEFT = 0x1000080U;
 
-/** Shares of the three motors. In Rust: `[0.25 * -SIXTH; 3]`. */
+/** Contribution of each of the three motors. In Rust: `[0.25 * -SIXTH; 3]`. */
 static const double SHARES[3] = {0.041666666666666664, 0.041666666666666664, 0.041666666666666664};
 
 /** In Rust: `-1.0 / 6.0`. */

@@ -14,7 +14,7 @@ void programs_data_defaults_fast(double share, settings_t *settings)
 
 /** Settings of a filter. */
 typedef struct {
-    /** Share of the new value, 0 to 1. */
+    /** Weight of the new value, 0 to 1. */
     double share;
     /** Values to wait for. */
     uint16_t count;

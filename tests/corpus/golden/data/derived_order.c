@@ -132,28 +132,28 @@ typedef struct {
 
 /** A version of the firmware. */
 typedef struct {
-    /** Not compatible with another. */
+    /** Changes when compatibility breaks. */
     uint8_t major;
-    /** Adds to the last. */
+    /** Changes when functions are added. */
     uint8_t minor;
-    /** Mends the last. */
+    /** Changes when errors are corrected. */
     uint16_t patch;
 } derived_order_version_t;
 
 /** Source of a message. */
 typedef enum {
-    /** The pilot. */
+    /** Sent by the pilot. */
     SOURCE_PILOT = 0,
-    /** The ground. */
+    /** Sent by the ground station. */
     SOURCE_GROUND = 1
 } source_t;
 
 /** Key by which messages are ordered. */
 typedef struct {
-    /** The pilot's before the ground's. */
+    /** First criterion: the pilot's messages precede the ground's. */
     source_t source;
-    /** Then by version. */
+    /** Second criterion. */
     derived_order_version_t version;
-    /** Then by two numbers. */
+    /** Third criterion. */
     int16_t numbers[2];
 } derived_order_key_t;

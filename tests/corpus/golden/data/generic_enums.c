@@ -54,23 +54,23 @@ typedef struct {
 
 /** Which variant of `Received_f32`. */
 typedef enum {
-    /** For the first time. */
+    /** Received for the first time. */
     RECEIVED_F32_TAG_NEW = 0,
-    /** Once more, so many periods later. */
+    /** Received before: the value and its age in periods. */
     RECEIVED_F32_TAG_AGAIN = 1,
     /** Nothing came. */
     RECEIVED_F32_TAG_NOTHING = 2
 } received_f32_tag_t;
 
-/** A value as it came: new, repeated, or not at all. */
+/** A received value: new, repeated, or missing. */
 typedef struct {
     /** Which variant it is. */
     received_f32_tag_t tag;
     /** What it holds. */
     union {
-        /** For the first time. */
+        /** Received for the first time. */
         float new_;
-        /** Once more, so many periods later. */
+        /** Received before: the value and its age in periods. */
         received_f32_again_t again;
     } as;
 } received_f32_t;
@@ -83,23 +83,23 @@ typedef struct {
 
 /** Which variant of `Received_f64`. */
 typedef enum {
-    /** For the first time. */
+    /** Received for the first time. */
     RECEIVED_F64_TAG_NEW = 0,
-    /** Once more, so many periods later. */
+    /** Received before: the value and its age in periods. */
     RECEIVED_F64_TAG_AGAIN = 1,
     /** Nothing came. */
     RECEIVED_F64_TAG_NOTHING = 2
 } received_f64_tag_t;
 
-/** A value as it came: new, repeated, or not at all. */
+/** A received value: new, repeated, or missing. */
 typedef struct {
     /** Which variant it is. */
     received_f64_tag_t tag;
     /** What it holds. */
     union {
-        /** For the first time. */
+        /** Received for the first time. */
         double new_;
-        /** Once more, so many periods later. */
+        /** Received before: the value and its age in periods. */
         received_f64_again_t again;
     } as;
 } received_f64_t;

@@ -51,8 +51,8 @@ bool held_ranges_gauge_limit(held_ranges_gauge_t *self, float low, float high,
 typedef struct {
     /** Accepted range. */
     closed_f32_t limits;
-    /** The samples of a period that count. */
+    /** Numbers of the samples of a period that count. */
     half_open_u16_t samples;
-    /** The last that was believed. */
+    /** The last accepted value. */
     float last;
 } held_ranges_gauge_t;

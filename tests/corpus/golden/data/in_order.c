@@ -33,7 +33,7 @@ bessemer_status_t in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3], bool
 
 /* in_order.h */
 
-/** The breakpoints of a table, and how many of them there are. */
+/** The breakpoints of a table, and their number. */
 typedef struct {
     /** The breakpoints. */
     double at[6];

@@ -28,6 +28,6 @@ typedef struct {
     double share;
     /** The smoothed value. */
     double value;
-    /** True if a value was seen. */
+    /** True after the first value. */
     bool started;
 } lowpass_t;

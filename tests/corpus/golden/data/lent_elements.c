@@ -14,7 +14,7 @@ bool lent_elements_count(uint32_t counters[6], uint64_t number, uint32_t by)
     return true;
 }
 
-/** Halves what stands at both ends. */
+/** Halves the first and the last element. */
 static void lent_elements_halve_ends(float values[], uint64_t values_length)
 {
     if (values_length > UINT64_C(0)) {

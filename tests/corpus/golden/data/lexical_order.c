@@ -104,11 +104,11 @@ uint16_t lexical_order_matched(uint8_t row, uint8_t column)
 
 /** Urgency of a message. */
 typedef enum {
-    /** It may wait. */
+    /** Can wait. */
     URGENCY_LOW = 0,
-    /** It is next. */
+    /** Is sent next. */
     URGENCY_HIGH = 1,
-    /** It is now. */
+    /** Is sent immediately. */
     URGENCY_ALARM = 2
 } urgency_t;
 

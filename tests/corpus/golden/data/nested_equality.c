@@ -61,7 +61,7 @@ typedef struct {
     axis_wish_t items[3];
 } list3_axis_wish_t;
 
-/** A point on the way. */
+/** A point of a route. */
 typedef struct {
     float place[2];
     axis_wish_t wish;
@@ -75,7 +75,7 @@ typedef struct {
     route_point_t value;
 } option_route_point_t;
 
-/** A way of three points. */
+/** A route of three points. */
 typedef struct {
     route_point_t points[3];
     option_route_point_t home;

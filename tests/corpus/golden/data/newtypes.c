@@ -19,12 +19,12 @@ typedef struct {
     double value;
 } newtypes_metres_t;
 
-/** A length, foot. */
+/** A length, ft. */
 typedef struct {
     double value;
 } feet_t;
 
-/** A way and the time that it took, s. */
+/** A distance and the time that it took, s. */
 typedef struct {
     newtypes_metres_t first;
     double second;

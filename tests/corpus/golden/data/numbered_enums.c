@@ -101,15 +101,15 @@ void numbered_enums_silent(numbered_enums_kind_t kind, bool right, numbered_enum
 
 /** Contents of a frame. */
 typedef enum {
-    /** That the sender lives. */
+    /** The sender is alive. */
     NUMBERED_ENUMS_KIND_HEARTBEAT = 1,
     /** Position. */
     NUMBERED_ENUMS_KIND_POSITION = 33,
-    /** Attitude, which follows. */
+    /** Attitude; its number is one more than the previous. */
     NUMBERED_ENUMS_KIND_ATTITUDE = 34,
-    /** A command. */
+    /** A command, with a constant as its number. */
     NUMBERED_ENUMS_KIND_COMMAND = 128,
-    /** Nothing. */
+    /** Empty frame. */
     NUMBERED_ENUMS_KIND_NOTHING = 0
 } numbered_enums_kind_t;
 
@@ -121,11 +121,11 @@ typedef struct {
     numbered_enums_kind_t value;
 } option_numbered_enums_kind_t;
 
-/** A number below zero is one of C's too. */
+/** An enum with a negative number. */
 typedef enum {
     /** To the left. */
     TURN_LEFT = -1,
-    /** Straight on. */
+    /** No turn. */
     TURN_STRAIGHT = 0,
     /** To the right. */
     TURN_RIGHT = 1
@@ -137,7 +137,7 @@ typedef struct {
     numbered_enums_kind_t kind;
     /** Kind of the expected answer, if any. */
     option_numbered_enums_kind_t answer;
-    /** The turns ahead. */
+    /** The next turns. */
     turn_t turns[2];
 } numbered_enums_frame_t;
 
@@ -178,7 +178,7 @@ bessemer_status_t statistics_count(statistics_t *self, numbered_enums_kind_t kin
 
 /* numbered_enums_statistics.h */
 
-/** Numbers of occurrences of each kind. */
+/** Number of occurrences of each kind. */
 typedef struct {
     numbered_enums_kind_t last;
     uint32_t counts[129];

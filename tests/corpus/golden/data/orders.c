@@ -90,11 +90,11 @@ void orders_longest(const orders_task_t tasks[4], option_task_t *result)
 
 /* orders.h */
 
-/** A task, and how urgent it is. */
+/** A task with its urgency and deadline. */
 typedef struct {
-    /** The least is first. */
+    /** Priority; the lowest number is the most urgent. */
     uint8_t priority;
-    /** When it is due, ms. */
+    /** Deadline, ms. */
     uint32_t deadline;
     /** Duration, s. */
     float effort;

@@ -79,13 +79,13 @@ void own_equality_place_of(const bearing_t bearings[3], const bearing_t *wanted,
 
 /* own_equality.h */
 
-/** An angle, rad; a turn more is the same. */
+/** An angle, rad; angles that differ by whole turns are equal. */
 typedef struct {
-    /** From north to east. */
+    /** Angle from north towards east. */
     float radians;
 } bearing_t;
 
-/** Positions of a lever: all that drive nothing are equal. */
+/** Positions of a lever; those that do not drive are equal. */
 typedef enum {
     LEVER_PARKED = 0,
     LEVER_NEUTRAL = 1,
@@ -101,7 +101,7 @@ typedef struct {
     lever_t value;
 } option_lever_t;
 
-/** A leg of a voyage, compared part by part: by what each part says. */
+/** A part of a voyage, compared field by field by each field's own `==`. */
 typedef struct {
     bearing_t to;
     lever_t lever;

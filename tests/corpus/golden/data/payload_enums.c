@@ -53,11 +53,11 @@ typedef struct {
 
 /** Which variant of `Command`. */
 typedef enum {
-    /** Nothing. */
+    /** No drive. */
     COMMAND_TAG_COAST = 0,
-    /** A speed, rad/s. */
+    /** Drive at a speed, rad/s. */
     COMMAND_TAG_SPEED = 1,
-    /** A place to go to. */
+    /** Drive to a position. */
     COMMAND_TAG_POSITION = 2
 } command_tag_t;
 
@@ -67,9 +67,9 @@ typedef struct {
     command_tag_t tag;
     /** What it holds. */
     union {
-        /** A speed, rad/s. */
+        /** Drive at a speed, rad/s. */
         double speed;
-        /** A place to go to. */
+        /** Drive to a position. */
         command_position_t position;
     } as;
 } command_t;

@@ -139,7 +139,7 @@ typedef struct {
 /** Which variant of `LinkError`. */
 typedef enum {
     LINK_ERROR_TAG_SILENT = 0,
-    /** The number of the frame. */
+    /** A damaged frame: its number. */
     LINK_ERROR_TAG_DAMAGED = 1
 } link_error_tag_t;
 
@@ -147,7 +147,7 @@ typedef enum {
 typedef struct {
     /** Which variant it is. */
     link_error_tag_t tag;
-    /** The number of the frame. */
+    /** A damaged frame: its number. */
     uint8_t damaged;
 } link_error_t;
 

@@ -24,11 +24,11 @@ void results_payload(const uint8_t frame[3], uint8_t len, result_u16_refused_t *
 
 /* results.h */
 
-/** Why a frame is refused. */
+/** Reason why a frame is refused. */
 typedef enum {
-    /** Too few bytes. */
+    /** Too few bytes were received. */
     REFUSED_SHORT = 0,
-    /** The sum is another. */
+    /** The checksum is wrong. */
     REFUSED_CHECKSUM = 1
 } refused_t;
 

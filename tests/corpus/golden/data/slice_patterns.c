@@ -21,7 +21,7 @@ bessemer_status_t slice_patterns_decoded(const uint8_t bytes[6], pair_u8_u32_t *
     return BESSEMER_STATUS_OK;
 }
 
-/** The span of some values; none of no values. */
+/** The span of some values; `None` if there are none. */
 static void slice_patterns_span_of(const float values[], uint64_t values_length,
     option_f32_t *result)
 {
@@ -46,7 +46,7 @@ bessemer_status_t slice_patterns_span(const float values[4], uint64_t end, optio
     return BESSEMER_STATUS_OK;
 }
 
-/** The largest of some values, and its place from the end. */
+/** The largest of some values. */
 static bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t values_length,
     int16_t *result)
 {

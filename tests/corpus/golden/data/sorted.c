@@ -140,11 +140,11 @@ void sorted_nearest(const double values[5], double guess, option_f64_t *result)
 
 /* sorted.h */
 
-/** A change of outputs. */
+/** A change of the outputs at a time. */
 typedef struct {
-    /** When, ticks. */
+    /** Time, ticks. */
     uint16_t at;
-    /** Mask of outputs. */
+    /** Mask of the outputs that change. */
     uint8_t outputs;
 } switching_t;
 

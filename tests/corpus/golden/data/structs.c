@@ -22,6 +22,6 @@ typedef struct {
     double height;
     /** Time since start, ms. */
     uint32_t time;
-    /** True if the echo came back. */
+    /** True if the echo was received. */
     bool valid;
 } structs_reading_t;

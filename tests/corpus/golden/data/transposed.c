@@ -108,17 +108,17 @@ void transposed_parts(const option_pair_u8_f32_t *pair, pair_option_u8_option_f3
 
 /** Which variant of `Broken`. */
 typedef enum {
-    /** Above what the sensor shows. */
+    /** Above the range of the sensor. */
     BROKEN_TAG_ABOVE = 0,
-    /** Below. */
+    /** Below the range of the sensor: the reading. */
     BROKEN_TAG_BELOW = 1
 } broken_tag_t;
 
-/** Why a reading is none. */
+/** Reason why a reading is invalid. */
 typedef struct {
     /** Which variant it is. */
     broken_tag_t tag;
-    /** Below. */
+    /** Below the range of the sensor: the reading. */
     int16_t below;
 } transposed_broken_t;
 

@@ -182,11 +182,11 @@ void turned_orders_first(const reverse_u8_2_t *held, const reverse_u8_2_t *lent,
 
 /* turned_orders.h */
 
-/** A task, and how urgent it is. */
+/** A job with its urgency and due time. */
 typedef struct {
-    /** The greatest is first. */
+    /** Urgency; the greatest is the most urgent. */
     uint8_t urgency;
-    /** When it is due, ms. */
+    /** Due time, ms. */
     int16_t due;
     /** Serial number. */
     uint8_t number;

@@ -48,7 +48,7 @@ bessemer_status_t values_that_borrow_store_step(values_that_borrow_store_t *self
 
 /* store.h */
 
-/** Measurements, the newest of which are given out. */
+/** Stores measurements. */
 typedef struct {
     double values[4];
     uint64_t count;
@@ -570,10 +570,10 @@ double values_that_borrow_cascade(const values_that_borrow_gains_t *outer,
 
 /* values_that_borrow.h */
 
-/** A packet that is read from the front. */
+/** Reads a packet from the front. */
 typedef struct {
     slice_u8_t rest;
-    /** The part that was read last. */
+    /** The bytes that were read last. */
     slice_u8_t last;
 } values_that_borrow_reader_t;
 
@@ -581,7 +581,7 @@ typedef struct {
 typedef enum {
     /** A word. */
     VALUES_THAT_BORROW_PACKET_TAG_SET = 0,
-    /** Bytes behind an address. */
+    /** Bytes for an address. */
     VALUES_THAT_BORROW_PACKET_TAG_LOAD = 1
 } values_that_borrow_packet_tag_t;
 
@@ -593,7 +593,7 @@ typedef struct {
     slice_u8_t bytes;
 } packet_load_t;
 
-/** A packet that was understood. */
+/** A parsed packet. */
 typedef struct {
     /** Which variant it is. */
     values_that_borrow_packet_tag_t tag;
@@ -601,7 +601,7 @@ typedef struct {
     union {
         /** A word. */
         uint16_t set;
-        /** Bytes behind an address. */
+        /** Bytes for an address. */
         packet_load_t load;
     } as;
 } values_that_borrow_packet_t;
@@ -624,7 +624,7 @@ typedef struct {
     result_values_that_borrow_packet_u8_t value;
 } option_result_values_that_borrow_packet_u8_t;
 
-/** Writes into an array of someone else's. */
+/** Appends to a borrowed array. */
 typedef struct {
     slice_mut_u8_t buffer;
     uint64_t length;
@@ -638,7 +638,7 @@ typedef struct {
     double integral;
 } values_that_borrow_gains_t;
 
-/** A loop with the gains of someone else. */
+/** A control loop with borrowed gains. */
 typedef struct {
     values_that_borrow_gains_t gains;
     double sum;

@@ -67,12 +67,12 @@ bessemer_status_t variable_sizes_strong(const scan_t *scan, uint8_t level, uint3
 
 /** Hits of a scanner. */
 typedef struct {
-    /** At most five. */
+    /** At most five ranges. */
     list5_f32_t ranges;
-    /** Three by at most four: points, one behind the other. */
+    /** At most four points of three coordinates. */
     list4_vector3_f32_t points;
-    /** At most two by at most three. */
+    /** A matrix of at most two by three. */
     bounded_matrix_u8_2_3_t hits;
-    /** Two by three. A matrix by columns: [row + 2 * column]. */
+    /** A matrix of two by three. A matrix by columns: [row + 2 * column]. */
     float grid[6];
 } scan_t;

@@ -42,7 +42,7 @@ bessemer_status_t absent_taken(absent_t *self, double *result)
 
 /* absent.h */
 
-/** The last value that came. */
+/** Stores the last value. */
 typedef struct {
     option_f64_t last;
     /** The fault that stopped the component; BESSEMER_STATUS_OK while it runs. */

@@ -44,7 +44,7 @@ bessemer_status_t programs_faults_order_ring_take(programs_faults_order_ring_t *
 
 /* ring.h */
 
-/** A ring of measurements. */
+/** A ring buffer of measurements. */
 typedef struct {
     float values[4];
     uint64_t next;

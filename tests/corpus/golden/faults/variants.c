@@ -37,7 +37,7 @@ bessemer_status_t follower_step(follower_t *self, wish_t wish, double *result)
 
 /* follower.h */
 
-/** Follows the pilot. */
+/** Executes the pilot's commands. */
 typedef struct {
     double height;
     /** The fault that stopped the component; BESSEMER_STATUS_OK while it runs. */

@@ -39,7 +39,7 @@ static void contact_count(contact_t *self, bool level)
 
 /* contact.h */
 
-/** Tells whether a contact is closed, once it has been stable. */
+/** Debounces a contact. */
 typedef struct {
     bool closed;
     uint8_t agreeing;

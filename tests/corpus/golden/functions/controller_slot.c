@@ -22,9 +22,9 @@ double controller_slot_gain_step(controller_slot_gain_t *self, double error)
 
 /* controller_slot.h */
 
-/** A gain. */
+/** A proportional controller. */
 typedef struct {
-    /** By which an error is multiplied. */
+    /** Factor of the error. */
     double gain;
 } controller_slot_gain_t;
 
@@ -45,7 +45,7 @@ double gain_loop_step(gain_loop_t *self, double target, double measured, bool re
 
 /* gain_loop.h */
 
-/** A loop that a gain closes. */
+/** A loop with a proportional controller. */
 typedef struct {
     /** The controller. */
     controller_slot_gain_t controller;
@@ -81,7 +81,7 @@ void integrator_reset(integrator_t *self)
 
 /* integrator.h */
 
-/** An integrator. */
+/** An integrating controller. */
 typedef struct {
     double sum;
 } integrator_t;
@@ -103,7 +103,7 @@ double integrator_loop_step(integrator_loop_t *self, double target, double measu
 
 /* integrator_loop.h */
 
-/** A loop that an integrator closes. */
+/** A loop with an integrating controller. */
 typedef struct {
     /** The controller. */
     integrator_t controller;

@@ -171,7 +171,7 @@ typedef struct {
     uint16_t value;
 } faults_t;
 
-/** An angle, a 65536th of a turn each. */
+/** An angle in units of 1/65536 turn. */
 typedef struct {
     int32_t value;
 } angle_t;

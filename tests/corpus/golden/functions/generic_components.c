@@ -113,7 +113,7 @@ double pi_f64_step(pi_f64_t *self, double error, double period)
 
 /* pi_f64.h */
 
-/** A controller with two terms. */
+/** A PI controller. */
 typedef struct {
     /** The integral of the error. */
     double integral;

@@ -103,13 +103,13 @@ void generic_operators_single(const complex_f32_t *z, complex_f32_t *complex_)
 
 /* generic_operators.h */
 
-/** A number with two parts. */
+/** A number with a real and an imaginary part. */
 typedef struct {
     float re;
     float im;
 } complex_f32_t;
 
-/** A number with two parts. */
+/** A number with a real and an imaginary part. */
 typedef struct {
     double re;
     double im;

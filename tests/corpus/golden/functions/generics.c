@@ -7,7 +7,7 @@ static double generics_mean_f64_4(const double values[4]);
 static double generics_larger_f64(double a, double b);
 static int32_t generics_larger_i32(int32_t a, int32_t b);
 
-/** The mean of some values; 0 of none. */
+/** The mean of some values; 0 if there are none. */
 static float generics_mean_f32_3(const float values[3])
 {
     float sum = 0.0F;
@@ -17,7 +17,7 @@ static float generics_mean_f32_3(const float values[3])
     return sum / 3.0F;
 }
 
-/** The mean of some values; 0 of none. */
+/** The mean of some values; 0 if there are none. */
 static double generics_mean_f64_4(const double values[4])
 {
     double sum = 0.0;

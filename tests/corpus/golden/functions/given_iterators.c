@@ -222,12 +222,12 @@ void given_iterators_around(double low, double high, double reach, closed_f64_t 
 
 /* given_iterators.h */
 
-/** A set of inputs, a bit each. */
+/** A set of inputs, one bit for each. */
 typedef struct {
     uint16_t bits;
 } inputs_t;
 
-/** The readings of a sensor, of which some are good. */
+/** Readings of a sensor, of which the first `count` are valid. */
 typedef struct {
     double values[6];
     uint64_t valid;

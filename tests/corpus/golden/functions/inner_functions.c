@@ -32,7 +32,7 @@ float inner_functions_middle(const float a_b_c_d_e[5])
     return c;
 }
 
-/** Puts two samples into order. */
+/** Puts two samples in order. */
 static void inner_functions_order_in_middle(float *low, float *high)
 {
     if (*high < *low) {

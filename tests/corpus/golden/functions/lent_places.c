@@ -41,13 +41,12 @@ bessemer_status_t lent_places_commanded(const head_t *head, uint64_t i, double e
     if (i_2 >= UINT64_C(3)) {
         return BESSEMER_STATUS_INDEX;
     }
-    const double result_left_2 = result_left + head->axes[i_2].gain;
     axis_t axis;
     status = head_wider(head, UINT64_C(0), i, &axis);
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    *result = result_left_2 + axis.limit;
+    *result = result_left + head->axes[i_2].gain + axis.limit;
     return BESSEMER_STATUS_OK;
 }
 
@@ -105,13 +104,13 @@ bessemer_status_t lent_places_joined(const double left[3], const double right[2]
 
 /* lent_places.h */
 
-/** One of three. */
+/** One of three axes. */
 typedef struct {
     double gain;
     double limit;
 } axis_t;
 
-/** The three, and which counts. */
+/** Three axes, and the index of the main one. */
 typedef struct {
     axis_t axes[3];
     uint64_t main;

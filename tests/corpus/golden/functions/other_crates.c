@@ -14,7 +14,7 @@ double other_crates_gain_step(other_crates_gain_t *self, double input)
 
 /* gain.h */
 
-/** The other crate's interface for a component of one's own. */
+/** A component that implements the other crate's trait. */
 typedef struct {
     double factor;
 } other_crates_gain_t;
@@ -74,7 +74,7 @@ bessemer_status_t other_crates_reading_step(other_crates_reading_t *self, double
 
 /* reading.h */
 
-/** A sensor's reading on its way. */
+/** A reading to be filtered. */
 typedef struct {
     filters_low_pass_t low;
     delay_f64_3_t delay;
@@ -105,7 +105,7 @@ bessemer_status_t smooth_gain_step(smooth_gain_t *self, double input, double *re
 
 /* smooth_gain.h */
 
-/** The other crate's, then one's own. */
+/** A filter of the other crate, followed by the one above. */
 typedef struct {
     filters_low_pass_t first;
     other_crates_gain_t second;

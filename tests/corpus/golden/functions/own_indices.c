@@ -25,21 +25,20 @@ bessemer_status_t own_indices_levelled(grid_t *grid, uint64_t row, uint64_t colu
     if (mean_index >= UINT64_C(12)) {
         return BESSEMER_STATUS_INDEX;
     }
-    const double mean_left = grid->heights[mean_index];
     const uint64_t column_2 = column + UINT64_C(1);
     if (column_2 >= UINT64_C(4)) {
         return BESSEMER_STATUS_ASSERTION;
     }
-    const uint64_t mean_index_2 = UINT64_C(4) * row + column_2;
-    if (mean_index_2 >= UINT64_C(12)) {
+    const uint64_t heights_index = UINT64_C(4) * row + column_2;
+    if (heights_index >= UINT64_C(12)) {
         return BESSEMER_STATUS_INDEX;
     }
-    const double mean_value = 0.5 * (mean_left + grid->heights[mean_index_2]);
-    const uint64_t grid_index = UINT64_C(4) * row + column;
-    if (grid_index >= UINT64_C(12)) {
+    const double mean_value = 0.5 * (grid->heights[mean_index] + grid->heights[heights_index]);
+    const uint64_t heights_index_2 = UINT64_C(4) * row + column;
+    if (heights_index_2 >= UINT64_C(12)) {
         return BESSEMER_STATUS_INDEX;
     }
-    grid->heights[grid_index] = mean_value;
+    grid->heights[heights_index_2] = mean_value;
     grid->heights[3] += mean_value;
     *mean = mean_value;
     return BESSEMER_STATUS_OK;
@@ -59,13 +58,13 @@ typedef struct {
     double heights[12];
 } grid_t;
 
-/** A side of something. */
+/** Left or right. */
 typedef enum {
     SIDE_LEFT = 0,
     SIDE_RIGHT = 1
 } side_t;
 
-/** Values of either side. */
+/** A value for each side. */
 typedef struct {
     int32_t left;
     int32_t right;

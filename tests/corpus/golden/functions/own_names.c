@@ -139,12 +139,12 @@ void own_names_moved_on(uint8_t ring[4], uint8_t start, pair_u8_u8_t *result)
 
 /* own_names.h */
 
-/** A few numbers. */
+/** A bank of a few numbers. */
 typedef struct {
     uint8_t cells[4];
 } own_names_bank_t;
 
-/** A missing value. */
+/** The error for a missing value. */
 typedef struct {
     uint8_t index;
 } own_names_missing_t;

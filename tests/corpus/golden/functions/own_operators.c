@@ -172,18 +172,18 @@ typedef struct {
     double im;
 } phasor_t;
 
-/** Why a byte is no phase. */
+/** The error for a letter that is not a phase. */
 typedef struct {
     uint8_t value;
 } unknown_t;
 
-/** A phase of the grid. */
+/** A phase of the mains. */
 typedef enum {
-    /** The first. */
+    /** First phase. */
     OWN_OPERATORS_PHASE_A = 0,
-    /** The second. */
+    /** Second phase. */
     OWN_OPERATORS_PHASE_B = 1,
-    /** The third. */
+    /** Third phase. */
     OWN_OPERATORS_PHASE_C = 2
 } own_operators_phase_t;
 

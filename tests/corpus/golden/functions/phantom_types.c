@@ -66,12 +66,12 @@ typedef struct {
     double value;
 } quantity_seconds_t;
 
-/** A drive, which turns only where it is armed. */
+/** A drive that turns only if it is armed. */
 typedef struct {
     double value;
 } drive_armed_t;
 
-/** A drive, which turns only where it is armed. */
+/** A drive that turns only if it is armed. */
 typedef struct {
     double value;
 } drive_idle_t;

@@ -29,7 +29,7 @@
 #endif
 #endif
 
-/** The power that it takes, W. */
+/** The electric power that is lost, W. */
 BESSEMER_ALWAYS_INLINE
 static inline float placement_power(float current, float resistance)
 {

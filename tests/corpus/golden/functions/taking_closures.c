@@ -12,7 +12,7 @@ double taking_closures_top_speed(double thrust, double drag)
     return taking_closures_root_surplus(0.0, 100.0, drag, thrust);
 }
 
-/** Zero of `f` between `low` and `high`, by bisection. */
+/** A zero of `f` between `low` and `high`, by bisection. */
 static double taking_closures_root_surplus(double low, double high, double drag, double thrust)
 {
     for (int32_t pass = 0; pass < 20; pass++) {
@@ -36,7 +36,7 @@ double taking_closures_square_root(double of)
     return taking_closures_root_in_square_root(0.0, 1024.0, of);
 }
 
-/** Zero of `f` between `low` and `high`, by bisection. */
+/** A zero of `f` between `low` and `high`, by bisection. */
 static double taking_closures_root_in_square_root(double low, double high, double of)
 {
     for (int32_t pass = 0; pass < 20; pass++) {

@@ -17,7 +17,7 @@ double trapezoid_integral_step(trapezoid_integral_t *self, double sample)
 
 /* trapezoid_integral.h */
 
-/** The one that is flown. */
+/** The integral that flies. */
 typedef struct {
     double last;
     double sum;
@@ -105,11 +105,11 @@ void without_fields_compared(const double samples[4], double result[2])
 
 /* without_fields.h */
 
-/** Further errors. */
+/** Errors of a value out of range. */
 typedef enum {
-    /** Above. */
+    /** Above the upper limit. */
     WITHOUT_FIELDS_TROUBLE_HIGH = 0,
-    /** Below. */
+    /** Below the lower limit. */
     WITHOUT_FIELDS_TROUBLE_LOW = 1
 } without_fields_trouble_t;
 

@@ -233,7 +233,7 @@ bessemer_status_t filter_grow(filter_t *self, uint64_t from, double limit, uint3
 
 /* named_views_filter.h */
 
-/** Named beside another field of the same struct. */
+/** A view next to another field of the same struct. */
 typedef struct {
     /** A matrix by columns: [row + 4 * column]. */
     double covariance[16];

@@ -39,11 +39,11 @@ void arm_turn(arm_t *self, uint8_t at, const unit_quaternion_f64_t *by, double r
 
 /* arm.h */
 
-/** An arm of a robot: each joint on the one before. */
+/** The arm of a robot; each joint is mounted on the one before. */
 typedef struct {
-    /** Each joint, seen from the one before. */
+    /** Pose of each joint relative to the one before. */
     isometry3_f64_t joints[3];
-    /** The tool at its end, seen from the base. */
+    /** Pose of the tool relative to the base. */
     isometry3_f64_t tool;
 } arm_t;
 

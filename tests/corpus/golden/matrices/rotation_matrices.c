@@ -35,9 +35,11 @@ double mounting_mount(mounting_t *self, const double more[9])
 
 /* mounting.h */
 
-/** Turns what the sensor measures into the vehicle's frame. */
+/** Rotates measurements of a sensor into the vehicle's frame. */
 typedef struct {
-    /** From the sensor to the vehicle. A matrix by columns: [row + 3 * column]. */
+    /**
+     * Rotation from the sensor's frame to the vehicle's. A matrix by columns: [row + 3 * column].
+     */
     double rotation[9];
 } mounting_t;
 

@@ -28,9 +28,9 @@ void gyro_step(gyro_t *self, const double rates[3], double period, double result
 
 /* gyro.h */
 
-/** Keeps an orientation by the rates of a gyroscope. */
+/** Integrates the rates of a gyroscope to an orientation. */
 typedef struct {
-    /** From the body to the world. */
+    /** Rotation from the body's frame to the world's. */
     unit_quaternion_f64_t attitude;
 } gyro_t;
 

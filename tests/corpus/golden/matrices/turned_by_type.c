@@ -59,7 +59,7 @@ void turned_by_type_in_the_plane(float angle, float result[4])
 
 /* turned_by_type.h */
 
-/** A turn in the plane, in steps of an encoder. */
+/** A rotation in the plane, counted by an encoder. */
 typedef struct {
     /** Steps of 1/4096 of a turn. */
     int32_t steps;

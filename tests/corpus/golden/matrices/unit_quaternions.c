@@ -157,10 +157,10 @@ void unit_quaternions_axis(const unit_quaternion_f64_t *q, double result[3])
 
 /* unit_quaternions.h */
 
-/** A vehicle's attitude, and that of the camera on it. */
+/** A vehicle's attitude, and the attitude of its camera. */
 typedef struct {
-    /** From the body to the world. */
+    /** Rotation from the body's frame to the world's. */
     unit_quaternion_f64_t body;
-    /** From the camera to the body. */
+    /** Rotation from the camera's frame to the body's. */
     unit_quaternion_f64_t camera;
 } attitudes_t;

@@ -92,7 +92,7 @@ bessemer_status_t blocks_set(blocks_t *self, uint64_t at, const double part[3])
 
 /* written_parts_blocks.h */
 
-/** A covariance, its blocks set one by one. */
+/** A covariance whose blocks are set individually. */
 typedef struct {
     /** A matrix by columns: [row + 6 * column]. */
     double p[36];

@@ -183,8 +183,8 @@ float resonator_step(resonator_t *self, float sample, const complex_number_f32_t
 
 /* resonator.h */
 
-/** A filter of one complex pole. */
+/** A filter with one complex pole. */
 typedef struct {
-    /** Its state. */
+    /** State of the filter. */
     complex_number_f32_t state;
 } resonator_t;

@@ -74,10 +74,10 @@ bool not_zero_same(const non_zero_u32_t *one, const non_zero_u32_t *other)
 
 /* not_zero.h */
 
-/** The least common denominator of a list of periods. */
+/** The periods of two tasks. */
 typedef struct {
-    /** In ticks. */
+    /** The periods, in ticks. */
     non_zero_u16_t ticks[2];
-    /** None is waited for. */
+    /** The delay in ticks; `None` without a delay. */
     option_non_zero_i16_t delay;
 } periods_t;

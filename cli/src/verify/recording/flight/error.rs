@@ -126,7 +126,7 @@ pub enum Wrong {
         topic: String,
         /// Number of the sample, from 1.
         sample: usize,
-        /// Its time.
+        /// Time of the sample, µs.
         time: i128,
         /// Time of the sample before.
         before: i128,

@@ -14,7 +14,7 @@ pub(super) struct Log {
 
 /// Messages of one kind, from one of its instances.
 pub(super) struct Topic {
-    /// Its name; the second instance and later ones have their number behind it: `sensor_gyro[1]`.
+    /// Name of the topic; the second instance and later ones have their number behind it: `sensor_gyro[1]`.
     pub name: String,
     pub fields: Vec<Field>,
     /// The field that holds the time in microseconds, if there is one.
@@ -26,7 +26,7 @@ pub(super) struct Topic {
 
 /// A number in each sample of a topic.
 pub(super) struct Field {
-    /// Its name: `accelerometer_m_s2[0]`, `esc[1].rpm`.
+    /// Name of the field: `accelerometer_m_s2[0]`, `esc[1].rpm`.
     pub name: String,
     pub kind: Kind,
 }

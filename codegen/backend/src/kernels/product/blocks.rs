@@ -36,10 +36,10 @@ const FIRST_TERMS: &str = "\
     }
 ";
 
-/// Code of the blocks if one band has all rows.
+/// Code that computes all blocks if a single band contains all rows.
 const ONE_BAND: &str = "band(a, b, result, COLUMNS, VECTORS$share);\n";
 
-/// Code of the last row in scalars.
+/// Code that computes the last row without vectors.
 const GIVE_LAST_ROW: &str = "\
 for (uint32_t column = $begin_alone; column < $columns; column += $apart_alone) {
     const uint32_t first = (column + LAST_ROW_COLUMNS <= $columns) ? column : $columns - LAST_ROW_COLUMNS;
@@ -67,14 +67,14 @@ pub(super) struct Blocks {
     last: bool,
     /// True if a last row uses scalars.
     alone: bool,
-    /// True if a loop over terms needs some terms before it.
+    /// True if the terms of a sum are a loop, which some first terms may precede.
     turns: bool,
     first_terms: bool,
     /// True if columns remain after the blocks.
     left: bool,
     /// Columns of the widest block.
     widest: u32,
-    /// True if a band has all rows.
+    /// True if a single band contains all rows.
     one_band: bool,
     /// Number of terms that a pass may have written out.
     terms: u32,

@@ -12,9 +12,9 @@ pub(super) struct Target {
     pub widest: u32,
     /// Number of registers.
     pub registers: u32,
-    /// Instructions of a multiplication and an addition.
+    /// Number of instructions for a multiplication and an addition.
     pub step: u32,
-    /// Instructions of a broadcast, in quarters.
+    /// Four times the number of instructions that copy one number to all lanes of a vector.
     pub spread: u32,
     /// Largest code size of a loop over terms, bytes; more unrolling gains nothing.
     pub room: u32,

@@ -109,7 +109,7 @@ const HELD_UNROLLED: u32 = 64;
 /// Largest number of vectors one below another in a part of a column.
 const COLUMN_DOWN: u32 = 10;
 
-/// Code of a term for the last row of a column, which fills no vector.
+/// Code that adds a term to the last row of a column, which has fewer elements than a vector.
 const ADD_LAST: &str = "\
 /* A term of the last row, which fills no vector. The number is needed no more: its register takes the sum. */
 static inline $real add_last(const $real sum, const $real *row, const lanes_t number)

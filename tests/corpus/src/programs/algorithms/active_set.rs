@@ -1,11 +1,11 @@
-//! A small quadratic programme with bounds, by an active set: least |Hx − g| in the box.
+//! A small quadratic program with bounds, solved by an active set: the minimum of `xᵀHx/2 − gᵀx` in a box.
 
 use bessemer::prelude::*;
 
-/// Unknowns.
+/// Number of unknowns.
 const N: usize = 3;
 
-/// The least of `xᵀHx/2 − gᵀx` for `low ≤ x ≤ high`, by projected Gauss-Seidel on the free set.
+/// Minimises `xᵀHx/2 − gᵀx` for `low ≤ x ≤ high`, by projected Gauss-Seidel on the variables that are not at a bound.
 #[function]
 pub fn solve_box(h: &Matrix3<f64>, g: &Vector3<f64>, low: f64, high: f64) -> Vector3<f64> {
     assert!(high >= low);

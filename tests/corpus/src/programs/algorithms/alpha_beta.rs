@@ -1,8 +1,8 @@
-//! An alpha-beta filter: position and speed from positions.
+//! An alpha-beta filter: estimates position and speed from position measurements.
 
 use bessemer::prelude::*;
 
-/// The estimate.
+/// The filter's estimate.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AlphaBeta {
@@ -17,7 +17,7 @@ impl AlphaBeta {
     /// Gain of the residual for the speed.
     const BETA: f64 = 0.005;
 
-    /// One measurement after `time` s: position and speed.
+    /// Takes the position measured `time` s after the last one; returns position and speed.
     #[entry(infallible)]
     pub fn step(&mut self, measured: f64, time: f64) -> [f64; 2] {
         let predicted = self.position + self.speed * time;

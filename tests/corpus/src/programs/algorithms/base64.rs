@@ -2,10 +2,10 @@
 
 use bessemer::prelude::*;
 
-/// The alphabet.
+/// The 64 digits, in the order of their values.
 const DIGITS: [u8; 64] = *b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Four letters for up to three bytes.
+/// Encodes up to three bytes as four characters.
 #[function]
 pub fn letters(bytes: [u8; 3], count: u8) -> [u8; 4] {
     let word = u32::from(bytes[0]) << 16 | u32::from(bytes[1]) << 8 | u32::from(bytes[2]);

@@ -6,7 +6,7 @@ use bessemer::prelude::*;
 const REST: [u16; 11] =
     [3000, 3450, 3550, 3600, 3640, 3680, 3740, 3820, 3920, 4050, 4200];
 
-/// The gauge.
+/// Estimator of a battery's state of charge.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Gauge {
@@ -17,7 +17,7 @@ pub struct Gauge {
 
 #[component]
 impl Gauge {
-    /// One second: current out of the battery in mA, voltage in mV; the charge in per mille.
+    /// One second: takes the current out of the battery in mA and the voltage in mV, and returns the charge in ‰.
     #[entry]
     pub fn step(&mut self, current: i32, voltage: u16, capacity: u32) -> u16 {
         assert!(capacity > 0);
@@ -32,7 +32,7 @@ impl Gauge {
     }
 }
 
-/// The charge at a voltage at rest, per mille.
+/// The charge that belongs to an open-circuit voltage, in ‰.
 #[function]
 pub fn at_rest(voltage: u16) -> u16 {
     for i in 1..11 {

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Sections in the cascade.
+/// Number of sections in the cascade.
 pub const SECTIONS: usize = 3;
 
 /// One section: `(b0 + b1/z + b2/z²) / (1 + a1/z + a2/z²)`.
@@ -13,7 +13,7 @@ pub struct Section {
     pub a: [f32; 2],
 }
 
-/// The cascade's memory: two values a section.
+/// State of the cascade: two values for each section.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cascade {
@@ -22,7 +22,7 @@ pub struct Cascade {
 
 #[component]
 impl Cascade {
-    /// One sample.
+    /// Filters one sample.
     #[entry(infallible)]
     pub fn step(&mut self, sections: &[Section; SECTIONS], sample: f32) -> f32 {
         let mut value = sample;

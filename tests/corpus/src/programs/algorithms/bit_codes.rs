@@ -88,7 +88,7 @@ impl<'a> BitReader<'a> {
         (0..count).try_fold(0, |acc, _| Some(acc << 1 | u32::from(self.bit()?)))
     }
 
-    /// Exp-Golomb, as in H.264.
+    /// Reads an Exp-Golomb number, as in H.264.
     pub fn golomb(&mut self) -> Option<u32> {
         let mut zeros = 0;
         #[bound(32)]

@@ -13,7 +13,7 @@ pub struct Frame {
     pub length: usize,
 }
 
-/// The frame of the first `length` bytes.
+/// Encodes the first `length` bytes as a frame.
 #[function]
 pub fn encode(payload: &[u8; PAYLOAD], length: usize) -> Frame {
     assert!(length <= PAYLOAD);
@@ -35,7 +35,7 @@ pub fn encode(payload: &[u8; PAYLOAD], length: usize) -> Frame {
     frame
 }
 
-/// The payload of a frame into `payload`; its length, or `PAYLOAD + 1` if the frame is broken.
+/// Decodes a frame into `payload`; returns its length, or `PAYLOAD + 1` if the frame is invalid.
 #[function]
 pub fn decode(frame: &Frame, payload: &mut [u8; PAYLOAD]) -> usize {
     if frame.length < 2 || frame.length > PAYLOAD + 2 {

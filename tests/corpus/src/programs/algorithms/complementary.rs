@@ -1,8 +1,8 @@
-//! A complementary filter for one angle: the gyroscope for what is quick, gravity for what is slow.
+//! A complementary filter for one angle: fast changes come from the gyroscope, slow ones from gravity.
 
 use bessemer::prelude::*;
 
-/// The angle.
+/// Estimate of the angle.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tilt {
@@ -11,7 +11,7 @@ pub struct Tilt {
 
 #[component]
 impl Tilt {
-    /// One sample: rate in rad/s, accelerations across and along gravity, `time` in s.
+    /// Takes one sample: rate in rad/s, accelerations across and along gravity, and `time` in s since the last.
     #[entry(infallible)]
     pub fn step(&mut self, rate: f32, across: f32, along: f32, time: f32) -> f32 {
         let felt = across.atan2(along);

@@ -1,8 +1,8 @@
-//! CRC-32 (IEEE 802.3, reflected), with a table that rustc computes.
+//! CRC-32 (IEEE 802.3, reflected), with a table computed at compile time.
 
 use bessemer::prelude::*;
 
-/// The checksum of each byte.
+/// The checksum of each possible byte.
 const TABLE: [u32; 256] = table();
 
 const fn table() -> [u32; 256] {
@@ -21,7 +21,8 @@ const fn table() -> [u32; 256] {
     table
 }
 
-/// The checksum goes on with a byte; it starts and ends with all bits turned.
+/// Updates the checksum with one byte. Callers invert all bits of the checksum before the first and after the last
+/// byte.
 #[function]
 pub fn crc32_next(sum: u32, byte: u8) -> u32 {
     TABLE[usize::from(sum as u8 ^ byte)] ^ (sum >> 8)

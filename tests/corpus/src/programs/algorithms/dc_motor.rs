@@ -2,23 +2,23 @@
 
 use bessemer::prelude::*;
 
-/// The motor's constants.
+/// Constants of the motor.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motor {
-    /// Ω.
+    /// Resistance of the winding, Ω.
     pub resistance: f64,
-    /// H.
+    /// Inductance of the winding, H.
     pub inductance: f64,
-    /// V·s/rad, and N·m/A.
+    /// Motor constant, V·s/rad, which is also N·m/A.
     pub constant: f64,
-    /// kg·m².
+    /// Moment of inertia, kg·m².
     pub inertia: f64,
-    /// N·m·s/rad.
+    /// Viscous friction, N·m·s/rad.
     pub friction: f64,
 }
 
-/// The estimate: current in A, speed in rad/s.
+/// Estimate of the current in A and the speed in rad/s.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Observer {
@@ -27,7 +27,7 @@ pub struct Observer {
 
 #[component]
 impl Observer {
-    /// One period of `time` s.
+    /// Advances the estimate by one period of `time` s.
     #[entry(infallible)]
     pub fn step(&mut self, motor: &Motor, voltage: f64, current: f64, time: f64) -> Vector2<f64> {
         let system = Matrix2::new(

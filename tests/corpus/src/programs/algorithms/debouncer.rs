@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The counters' bits, and what is held to be pressed.
+/// The bits of the counters, and the debounced state of the buttons.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Buttons {
@@ -13,7 +13,7 @@ pub struct Buttons {
 
 #[component]
 impl Buttons {
-    /// One sample of all pins; the buttons that have just been pressed.
+    /// Takes one sample of all pins; returns the buttons that have just been pressed.
     #[entry(infallible)]
     pub fn step(&mut self, pins: u8) -> u8 {
         let changed = pins ^ self.pressed;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Membership of a point.
+/// Group membership of a point.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Belonging {
@@ -12,7 +12,7 @@ pub enum Belonging {
     Group(u8),
 }
 
-/// The points within a radius of one.
+/// Indices of the points within a radius of the point `of`.
 #[function]
 fn near(points: &List<Vector2<f64>, 10>, of: usize, radius: f64) -> List<usize, 10> {
     let mut found = List::new();
@@ -24,7 +24,7 @@ fn near(points: &List<Vector2<f64>, 10>, of: usize, radius: f64) -> List<usize, 
     found
 }
 
-/// The group of each point.
+/// Assigns each point to a group.
 #[function]
 pub fn group(points: &List<Vector2<f64>, 10>, radius: f64, least: usize) -> [Belonging; 10] {
     let mut labels = [Belonging::Unvisited; 10];

@@ -1,4 +1,4 @@
-//! Shortest ways on a static graph.
+//! Shortest paths in a constant graph (Dijkstra's algorithm).
 use bessemer::prelude::*;
 
 pub const NODES: usize = 6;

@@ -1,4 +1,4 @@
-//! A bounded queue of events, by the time when they are due.
+//! A bounded queue of events, in the order of their due times.
 
 use bessemer::prelude::*;
 
@@ -28,7 +28,7 @@ pub struct Agenda {
 
 #[component]
 impl Agenda {
-    /// Notes what is due; whether there is room.
+    /// Adds an event; returns false if the queue is full.
     #[entry]
     pub fn add(&mut self, due: u32, event: &Happening) -> bool {
         if self.entries.len() >= self.entries.capacity() {
@@ -49,13 +49,13 @@ impl Agenda {
         }
     }
 
-    /// When the next is due.
+    /// The due time of the next event.
     #[entry]
     pub fn soonest(&self) -> Option<u32> {
         self.entries.iter().map(|entry| entry.due).min()
     }
 
-    /// Forgets the ticks.
+    /// Removes all `Tick` events.
     #[entry]
     pub fn drop_ticks(&mut self) {
         self.entries.retain(|entry| !matches!(entry.event, Happening::Tick));

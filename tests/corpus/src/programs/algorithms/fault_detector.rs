@@ -2,14 +2,14 @@
 
 use bessemer::prelude::*;
 
-/// The middle of three.
+/// The median of three values.
 #[function]
 pub fn middle(values: &[f64; 3]) -> f64 {
     let [a, b, c] = *values;
     a.max(b).min(a.min(b).max(c))
 }
 
-/// The sensor that is off by more than `limit`, the farthest first.
+/// The sensor farthest from the median, if it is off by more than `limit`.
 #[function]
 pub fn outlier(values: &[f64; 3], limit: f64) -> Option<usize> {
     let middle = middle(values);
@@ -20,7 +20,7 @@ pub fn outlier(values: &[f64; 3], limit: f64) -> Option<usize> {
     values.iter().position(|value| (value - middle).abs() >= worst)
 }
 
-/// The mean of those that are left.
+/// The mean of the sensors that are not outliers.
 #[function]
 pub fn voted(values: &[f64; 3], limit: f64) -> f64 {
     let out = outlier(values, limit);

@@ -2,12 +2,12 @@
 
 use bessemer::prelude::*;
 
-/// Taps of the filter.
+/// Number of taps of the filter.
 const TAPS: usize = 8;
 /// A low-pass; symmetric, so its phase is linear.
 const COEFFICIENTS: [f64; TAPS] = [0.01, 0.08, 0.17, 0.24, 0.24, 0.17, 0.08, 0.01];
 
-/// The last samples.
+/// The last samples, in a ring buffer.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Fir {
@@ -17,7 +17,7 @@ pub struct Fir {
 
 #[component]
 impl Fir {
-    /// Takes a sample, gives the filtered one.
+    /// Filters one sample.
     #[entry]
     pub fn step(&mut self, sample: f64) -> f64 {
         self.newest = (self.newest + 1) % TAPS;

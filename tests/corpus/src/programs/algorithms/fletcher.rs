@@ -13,7 +13,7 @@ pub fn fletcher16(bytes: &[u8]) -> u16 {
     high << 8 | low
 }
 
-/// A frame of at most 16 bytes, the last two of them its checksum.
+/// Returns true if the last two bytes of a frame are its checksum.
 #[function]
 pub fn is_sound(frame: &List<u8, 16>) -> bool {
     if frame.len() < 3 {

@@ -2,10 +2,10 @@
 
 use bessemer::prelude::*;
 
-/// Corners of the fence.
+/// Number of corners of the fence.
 pub const CORNERS: usize = 6;
 
-/// Distance inside the fence, m; negative outside.
+/// Distance of a position from the nearest edge, m; negative outside the fence.
 #[function]
 pub fn inside(fence: &[Vector2<f64>; CORNERS], position: &Vector2<f64>) -> f64 {
     let mut within = false;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The power of a tone of so many periods in the block.
+/// The power of a tone with `periods` periods in the block.
 #[function]
 pub fn power(samples: &[f32], periods: f32) -> f32 {
     let coefficient = 2.0 * (core::f32::consts::TAU * periods / samples.len() as f32).cos();
@@ -13,7 +13,7 @@ pub fn power(samples: &[f32], periods: f32) -> f32 {
     before * before + last * last - coefficient * before * last
 }
 
-/// The strongest of the tones of one to four periods.
+/// The strongest of the tones with one to four periods.
 #[function]
 pub fn strongest(samples: &[f32; 16]) -> Option<usize> {
     let powers = core::array::from_fn::<f32, 4, _>(|k| power(samples, (k + 1) as f32));

@@ -1,15 +1,15 @@
-//! A Hampel filter: what lies far from the median of its neighbours is replaced by it.
+//! A Hampel filter: replaces samples that are far from the median of their neighbours by that median.
 
 use bessemer::prelude::*;
 
-/// The middle of some numbers.
+/// The median of some numbers.
 #[function]
 fn median<const N: usize>(mut values: [f64; N]) -> f64 {
     values.sort_unstable_by(|a, b| a.total_cmp(b));
     if N % 2 == 1 { values[N / 2] } else { 0.5 * (values[N / 2 - 1] + values[N / 2]) }
 }
 
-/// Replaces outliers.
+/// Replaces the outliers among the samples.
 #[function]
 pub fn hampel(values: &[f64; 12]) -> [f64; 12] {
     let mut result = *values;

@@ -1,8 +1,8 @@
-//! The inertia of a body made of parts, by columns of a matrix.
+//! The inertia of a body made of point masses, computed with the columns of a matrix.
 
 use bessemer::prelude::*;
 
-/// Point masses: at columns, where they are, m; and how heavy, kg.
+/// Inertia tensor of point masses about the origin. Each column of `places` is a position in m; masses are in kg.
 #[function]
 pub fn inertia(places: &SMatrix<f64, 3, 5>, masses: &SVector<f64, 5>) -> Matrix3<f64> {
     let mut inertia = Matrix3::zeros();
@@ -19,7 +19,7 @@ pub fn centre(places: &SMatrix<f64, 3, 5>, masses: &SVector<f64, 5>) -> Vector3<
     places * masses / masses.sum()
 }
 
-/// The places seen from the centre.
+/// The positions relative to the centre of mass.
 #[function]
 pub fn centred(places: &SMatrix<f64, 3, 5>, masses: &SVector<f64, 5>) -> SMatrix<f64, 3, 5> {
     let centre = centre(places, masses);

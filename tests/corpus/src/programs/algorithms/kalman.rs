@@ -18,7 +18,8 @@ impl Default for Altimeter {
 
 #[component]
 impl Altimeter {
-    /// One period of `time` s: acceleration in m/s², height in m; a surprise beyond `gate` is left out.
+    /// One period of `time` s. Takes the acceleration in m/s² and the height in m; ignores a height that differs from
+    /// the prediction by more than `gate`.
     #[entry(infallible)]
     pub fn step(&mut self, acceleration: f64, height: f64, gate: f64, time: f64) -> Vector2<f64> {
         let a = Matrix2::new(1.0, time, 0.0, 1.0);

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Parameters and their uncertainty.
+/// Estimated parameters and their covariance.
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identifier {
@@ -18,7 +18,7 @@ impl Default for Identifier {
 
 #[component]
 impl Identifier {
-    /// One measurement of `regressor · parameters`.
+    /// Updates the estimate with a measurement of `regressor · parameters`.
     #[entry(infallible)]
     pub fn step(&mut self, regressor: &Vector3<f64>, measured: f64) -> Vector3<f64> {
         const FORGETTING: f64 = 0.98;

@@ -1,12 +1,12 @@
-//! Tables in one and in two dimensions, linear in between, flat outside.
+//! Tables with one and two inputs: linear between the breakpoints, constant outside.
 
 use bessemer::prelude::*;
 
-/// Breakpoints of the rows.
+/// Breakpoints of the rows: speeds.
 const SPEEDS: [f64; 5] = [0.0, 10.0, 20.0, 40.0, 80.0];
-/// Breakpoints of the columns.
+/// Breakpoints of the columns: loads.
 const LOADS: [f64; 4] = [0.0, 0.25, 0.5, 1.0];
-/// Advance for each speed and load, °.
+/// Ignition advance for each speed and load, °.
 const ADVANCE: [[f64; 4]; 5] = [
     [5.0, 5.0, 4.0, 2.0],
     [12.0, 11.0, 9.0, 6.0],
@@ -15,16 +15,16 @@ const ADVANCE: [[f64; 4]; 5] = [
     [30.0, 28.0, 25.0, 20.0],
 ];
 
-/// A place between two entries of an axis.
+/// A position between two breakpoints of an axis.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Between {
     pub below: usize,
-    /// From 0 at the lower entry to 1 at the next.
+    /// Fraction of the distance: 0 at the lower breakpoint, 1 at the upper one.
     pub share: f64,
 }
 
-/// The place of a speed.
+/// The position of a speed among the breakpoints.
 #[function]
 pub fn speed_place(speed: f64) -> Between {
     let mut below = 0;
@@ -37,7 +37,7 @@ pub fn speed_place(speed: f64) -> Between {
     Between { below, share: share.clamp(0.0, 1.0) }
 }
 
-/// The place of a load.
+/// The position of a load among the breakpoints.
 #[function]
 pub fn load_place(load: f64) -> Between {
     let mut below = 0;
@@ -50,7 +50,7 @@ pub fn load_place(load: f64) -> Between {
     Between { below, share: share.clamp(0.0, 1.0) }
 }
 
-/// The advance at a speed and a load.
+/// The ignition advance at a speed and a load, °.
 #[function]
 pub fn advance(speed: f64, load: f64) -> f64 {
     let row = speed_place(speed);

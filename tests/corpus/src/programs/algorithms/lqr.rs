@@ -1,13 +1,13 @@
-//! State feedback with gains from a table over the airspeed.
+//! State feedback with gains interpolated over the airspeed.
 
 use bessemer::prelude::*;
 
 /// Airspeeds of the table, m/s.
 const AIRSPEEDS: [f32; 3] = [12.0, 18.0, 30.0];
-/// Gains for each: of angle of attack, pitch rate, pitch.
+/// For each airspeed, the gains of angle of attack, pitch rate and pitch.
 const GAINS: [[f32; 3]; 3] = [[1.8, 0.9, 3.1], [1.2, 0.6, 2.4], [0.7, 0.35, 1.6]];
 
-/// Elevator for a state at an airspeed.
+/// Elevator deflection for a state and an airspeed.
 #[function]
 pub fn elevator(state: &Vector3<f32>, airspeed: f32) -> f32 {
     let upper: usize = if airspeed < AIRSPEEDS[1] { 1 } else { 2 };

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Attitude of the sensor against the earth: w, x, y, z.
+/// Attitude of the sensor relative to the earth as a quaternion: w, x, y, z.
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Madgwick {
@@ -17,7 +17,7 @@ impl Default for Madgwick {
 
 #[component]
 impl Madgwick {
-    /// One sample: rates in rad/s, acceleration in any unit, `time` in s.
+    /// Takes one sample: rates in rad/s, acceleration in any unit, `time` in s since the last.
     #[entry(infallible)]
     pub fn step(&mut self, rate: &Vector3<f32>, force: &Vector3<f32>, gain: f32, time: f32) -> [f32; 4] {
         let [w, x, y, z] = self.attitude;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Attitude as a rotation from sensor to earth, and the gyroscope's bias.
+/// Estimated rotation from the sensor's frame to the earth's, and the gyroscope's bias.
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mahony {
@@ -18,7 +18,7 @@ impl Default for Mahony {
 
 #[component]
 impl Mahony {
-    /// One sample: rates in rad/s, acceleration in any unit, `time` in s; gives the estimated down.
+    /// Takes one sample: rates in rad/s, acceleration in any unit, `time` in s; returns the estimated down direction.
     #[entry(infallible)]
     pub fn step(&mut self, rate: &Vector3<f64>, force: &Vector3<f64>, time: f64) -> Vector3<f64> {
         let down = self.rotation.transpose() * Vector3::new(0.0, 0.0, 1.0);
@@ -36,7 +36,7 @@ impl Mahony {
         down
     }
 
-    /// Brings the rows back to length 1 and to right angles (Premerlani and Bizard 2009).
+    /// Makes the rows orthogonal and of length 1 again (Premerlani and Bizard 2009).
     fn orthogonalise(&mut self) {
         let first = Vector3::new(self.rotation[(0, 0)], self.rotation[(0, 1)], self.rotation[(0, 2)]);
         let second = Vector3::new(self.rotation[(1, 0)], self.rotation[(1, 1)], self.rotation[(1, 2)]);

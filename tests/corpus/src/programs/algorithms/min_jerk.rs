@@ -1,8 +1,8 @@
-//! A quintic through waypoints: the smoothest way from one state to another, each axis on its own.
+//! Quintic polynomials through waypoints: the smoothest motion from one state to another, for each axis separately.
 
 use bessemer::prelude::*;
 
-/// Position, velocity and acceleration.
+/// Position, velocity and acceleration of all axes.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct State {
@@ -11,7 +11,7 @@ pub struct State {
     pub acceleration: Vector3<f64>,
 }
 
-/// A leg of the way: a polynomial of the fifth degree for each axis.
+/// The motion between two waypoints: a polynomial of the fifth degree for each axis.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Leg {
@@ -22,7 +22,7 @@ pub struct Leg {
 
 #[data]
 impl Leg {
-    /// The leg that takes `duration` seconds; none if that is too short to be meant.
+    /// The motion between two states in `duration` seconds; `None` if that is too short.
     pub fn between(from: &State, to: &State, duration: f64) -> Option<Leg> {
         if duration < 1e-3 {
             return None;
@@ -53,7 +53,7 @@ impl Leg {
         Some(Leg { coefficients, duration })
     }
 
-    /// State at a time; constant before the start and after the end.
+    /// State at a time on the motion; constant before its start and after its end.
     pub fn at(&self, time: f64) -> State {
         let t = time.clamp(0.0, self.duration.max(0.0));
         let mut state = State::default();
@@ -68,7 +68,7 @@ impl Leg {
     }
 }
 
-/// State at a time on a path of three legs.
+/// State at a time on a path through three waypoints.
 #[function]
 pub fn along(stops: &[State; 3], durations: &[f64; 2], time: f64) -> Option<State> {
     let mut left = time;

@@ -1,4 +1,4 @@
-//! Modbus RTU slave: frames of reading and writing holding registers.
+//! Modbus RTU slave: reads and writes of holding registers.
 use bessemer::prelude::*;
 
 const REGISTERS: usize = 16;
@@ -71,7 +71,7 @@ impl Slave {
         }
     }
 
-    /// Silence on the line: what was received is a frame.
+    /// Handles the silence after a frame: processes the received bytes and returns the answer.
     #[entry]
     pub fn silence(&mut self) -> List<u8, 32> {
         let mut reply = List::new();

@@ -2,10 +2,10 @@
 
 use bessemer::prelude::*;
 
-/// Samples in the window.
+/// Number of samples in the window.
 const WINDOW: usize = 5;
 
-/// The window.
+/// The last samples.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Median {
@@ -15,7 +15,7 @@ pub struct Median {
 
 #[component]
 impl Median {
-    /// Takes a sample, gives the median.
+    /// Takes a sample and returns the median of the window.
     #[entry]
     pub fn step(&mut self, sample: i32) -> i32 {
         self.samples[self.next] = sample;

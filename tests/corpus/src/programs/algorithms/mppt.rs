@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The middle of three measurements, and whether all agree within a tolerance.
+/// The median of three measurements, and whether all agree within a tolerance.
 #[function]
 fn voted<T: Real>(readings: [T; 3], tolerance: T) -> (T, bool) {
     let [a, b, c] = readings;
@@ -10,7 +10,7 @@ fn voted<T: Real>(readings: [T; 3], tolerance: T) -> (T, bool) {
     (middle, readings.iter().all(|reading| (*reading - middle).abs() <= tolerance))
 }
 
-/// Direction of the voltage.
+/// Direction in which the voltage changes.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Way {
@@ -33,7 +33,7 @@ impl Way {
     }
 }
 
-/// The tracker of a panel.
+/// The tracker of a solar panel.
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tracker {
@@ -58,7 +58,7 @@ impl Tracker {
     const LOWEST: f32 = 12.0;
     const HIGHEST: f32 = 21.0;
 
-    /// The voltage to hold until the next call, V.
+    /// Takes the voltage in V and the currents in A; returns the voltage to hold until the next call, V.
     #[entry(infallible)]
     pub fn step(&mut self, voltage: f32, currents: &[f32; 3]) -> f32 {
         let (current, agree) = voted(*currents, 0.05);

@@ -1,8 +1,8 @@
-//! A notch whose frequency follows a motor's speed.
+//! A notch filter whose frequency follows a motor's speed.
 
 use bessemer::prelude::*;
 
-/// Memory of the notch.
+/// State of the filter.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Notch {
@@ -12,7 +12,7 @@ pub struct Notch {
 
 #[component]
 impl Notch {
-    /// One sample; `frequency` and `rate` in Hz, `width` as a share of the frequency.
+    /// Filters one sample; `frequency` and the sample rate `rate` are in Hz, `width` is a fraction of the frequency.
     #[entry(infallible)]
     pub fn step(&mut self, sample: f32, frequency: f32, width: f32, rate: f32) -> f32 {
         let angle = core::f32::consts::TAU * frequency / rate;

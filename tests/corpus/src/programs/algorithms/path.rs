@@ -1,13 +1,13 @@
-//! The shortest way through a grid with walls (A* with the city-block distance; open cells in a flat array).
+//! The shortest path through a grid with walls (A* with the city-block distance; open cells in a flat array).
 
 use bessemer::prelude::*;
 
-/// Columns of the grid.
+/// Number of columns of the grid.
 pub const COLUMNS: usize = 4;
-/// Cells of the grid.
+/// Number of cells of the grid.
 pub const CELLS: usize = 12;
 
-/// Steps from the first cell to the last, or none; true is a wall.
+/// Number of steps from the first cell to the last, if there is a path; a cell with `true` is a wall.
 #[function]
 pub fn steps(walls: &[bool; CELLS]) -> Option<u8> {
     const FAR: u8 = 255;

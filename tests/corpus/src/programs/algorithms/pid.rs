@@ -3,14 +3,14 @@
 
 use bessemer::prelude::*;
 
-/// Gains and limits of a regulator.
+/// Gains and limits of a controller.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tuning {
     pub p: f64,
     pub i: f64,
     pub d: f64,
-    /// Time constant of the derivative's filter, s.
+    /// Time constant of the filter of the derivative, s.
     pub filter: f64,
     /// Rate at which the integral follows a limited output, 1/s.
     pub tracking: f64,
@@ -18,7 +18,7 @@ pub struct Tuning {
     pub high: f64,
 }
 
-/// The regulator's memory.
+/// State of the controller.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Regulator {
@@ -30,7 +30,7 @@ pub struct Regulator {
 
 #[component]
 impl Regulator {
-    /// One period of `time` s in automatic mode: the output within its limits.
+    /// One period of `time` s in automatic mode; returns the output within its limits.
     #[entry]
     pub fn step(&mut self, tuning: &Tuning, target: f64, measured: f64, time: f64) -> f64 {
         assert!(time > 0.0);
@@ -49,7 +49,7 @@ impl Regulator {
         output
     }
 
-    /// Manual mode: the integral follows, so that the next automatic step starts from `output`.
+    /// One period in manual mode: sets the integral so that the next automatic step starts from `output`.
     #[entry(infallible)]
     pub fn follow(&mut self, tuning: &Tuning, target: f64, measured: f64, output: f64) {
         self.integral = output - tuning.p * (target - measured);

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// A step of a program.
+/// An element of a program: a number or an operation.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Symbol {
@@ -15,7 +15,7 @@ pub enum Symbol {
     Negate,
 }
 
-/// Why there is no value.
+/// Reason why a program has no value.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mistake {
@@ -24,7 +24,7 @@ pub enum Mistake {
     Left(u8),
 }
 
-/// The value of a program.
+/// Evaluates a program.
 #[function]
 pub fn calculate(program: &List<Symbol, 12>) -> Result<f64, Mistake> {
     let mut stack: List<f64, 4> = List::new();

@@ -1,8 +1,9 @@
-//! A queue of bounded length that gives the most urgent first; equals in the order in which they came.
+//! A queue of bounded length that returns the most urgent job first, and jobs of equal urgency in the order of
+//! arrival.
 
 use bessemer::prelude::*;
 
-/// Something to do.
+/// A job and its urgency.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Job {
@@ -10,7 +11,7 @@ pub struct Job {
     pub number: u16,
 }
 
-/// Jobs, the most urgent last.
+/// The jobs in order, the most urgent last.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Queue {
@@ -19,7 +20,7 @@ pub struct Queue {
 
 #[component]
 impl Queue {
-    /// Takes a job in; whether there was room.
+    /// Adds a job; returns false if the queue is full.
     #[entry]
     pub fn put(&mut self, job: Job) -> bool {
         if self.jobs.len() == 6 {
@@ -36,7 +37,7 @@ impl Queue {
         true
     }
 
-    /// The most urgent job, taken out.
+    /// Removes and returns the most urgent job.
     #[entry(infallible)]
     pub fn take(&mut self) -> Option<Job> {
         self.jobs.pop()

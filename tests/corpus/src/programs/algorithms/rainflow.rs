@@ -1,19 +1,19 @@
-//! Rainflow counting (ASTM E 1049, three points): how often a part was bent how far.
+//! Rainflow counting (ASTM E 1049, three points): the number of load cycles for each range of load.
 
 use bessemer::prelude::*;
 
-/// Turning points of a load, and the cycles that they closed.
+/// Turning points of the load, and the number of closed cycles.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rainflow {
     turns: List<f32, 16>,
-    /// Cycles by range, in halves: a class is 10 % of the largest.
+    /// Number of half cycles in each class; a class is 10 % of the largest range.
     classes: [u32; 10],
 }
 
 #[component]
 impl Rainflow {
-    /// Takes a load into account, as a share of the largest; how many cycles it closed.
+    /// Takes a load as a fraction of the largest; returns the number of cycles that it closes.
     #[entry]
     pub fn count(&mut self, load: f32) -> u8 {
         if !(0.0..=1.0).contains(&load) {

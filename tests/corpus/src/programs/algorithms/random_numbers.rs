@@ -1,4 +1,4 @@
-//! Pseudo random generators behind an interface, `&mut impl Rng`, with a distribution and a shuffle.
+//! Pseudo-random generators behind a trait, `&mut impl Rng`, with a distribution and a shuffle.
 
 use bessemer::prelude::*;
 #[interface]

@@ -1,4 +1,4 @@
-//! Reed–Solomon over GF(256): syndromes, and one error put right.
+//! Reed–Solomon over GF(256): computes syndromes and corrects one error.
 use bessemer::prelude::*;
 
 pub const N: usize = 15;

@@ -1,8 +1,8 @@
-//! A ring buffer of fixed size that forgets the oldest when it is full.
+//! A ring buffer of fixed size that overwrites the oldest sample when it is full.
 
 use bessemer::prelude::*;
 
-/// Places in the buffer.
+/// Capacity of the buffer.
 const PLACES: usize = 8;
 
 /// A sample with its time.
@@ -25,7 +25,7 @@ pub struct Buffer {
 
 #[component]
 impl Buffer {
-    /// Puts a sample in; how many are held.
+    /// Adds a sample; returns the number of samples in the buffer.
     #[entry]
     pub fn put(&mut self, sample: Sample) -> usize {
         let place = (self.first + self.count) % PLACES;
@@ -39,7 +39,7 @@ impl Buffer {
         self.count
     }
 
-    /// Takes the oldest out into `sample`; whether there was one.
+    /// Removes the oldest sample into `sample`; returns false if the buffer is empty.
     #[entry]
     pub fn take(&mut self, sample: &mut Sample) -> bool {
         if self.count == 0 {

@@ -1,8 +1,8 @@
-//! Run-length coding of a line of a display.
+//! Run-length coding of a line of pixels.
 
 use bessemer::prelude::*;
 
-/// A run: the colour, and of how many pixels.
+/// A run of pixels of one colour, and its length.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Run {
@@ -10,7 +10,7 @@ pub struct Run {
     pub length: u8,
 }
 
-/// The runs of a line; a fault if there are more than eight.
+/// The runs of a line; more than eight are a fault.
 #[function]
 pub fn encode(line: &[u8; 16]) -> List<Run, 8> {
     let mut runs: List<Run, 8> = List::new();
@@ -26,7 +26,7 @@ pub fn encode(line: &[u8; 16]) -> List<Run, 8> {
     runs
 }
 
-/// The line again, as far as it goes.
+/// The line of some runs; a line that is too short is filled with zeros.
 #[function]
 pub fn decode(runs: &List<Run, 8>) -> [u8; 16] {
     let mut line = [0; 16];

@@ -1,16 +1,17 @@
-//! A trajectory generator with limited acceleration and jerk: it goes as fast as it can still stop.
+//! A trajectory generator with limited acceleration and jerk: it moves as fast as it can while it can still stop in
+//! time.
 
 use bessemer::prelude::*;
 
-/// Limits.
+/// Limits of the motion.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// m/s.
+    /// Largest speed, m/s.
     pub speed: f64,
-    /// m/s².
+    /// Largest acceleration, m/s².
     pub acceleration: f64,
-    /// m/s³.
+    /// Largest jerk, m/s³.
     pub jerk: f64,
 }
 
@@ -25,7 +26,7 @@ pub struct Trajectory {
 
 #[component]
 impl Trajectory {
-    /// One step of `time` s towards `target` m.
+    /// Advances the trajectory by `time` s towards `target` m; returns position, speed and acceleration.
     #[entry]
     pub fn step(&mut self, limits: &Motion, target: f64, time: f64) -> [f64; 3] {
         assert!(limits.acceleration > 0.0 && limits.jerk > 0.0 && limits.speed >= 0.0);

@@ -2,10 +2,10 @@
 
 use bessemer::prelude::*;
 
-/// Weights of the slope of a parabola through five points.
+/// Weights of five samples for the slope of their parabola.
 static WEIGHTS: [f64; 5] = [-0.2, -0.1, 0.0, 0.1, 0.2];
 
-/// Slopes at the points that have two neighbours on each side, per `period`.
+/// Slopes per `period` at the points with two neighbours on each side.
 #[function]
 pub fn slopes(samples: &[f64; 12], period: f64) -> List<f64, 8> {
     let mut slopes = List::new();

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Sorts by insertion, smallest first.
+/// Sorts values in ascending order, by insertion.
 #[function]
 pub fn sort(values: &mut [f64]) {
     for end in 1..values.len() {
@@ -15,7 +15,7 @@ pub fn sort(values: &mut [f64]) {
     }
 }
 
-/// Index at which a value belongs among sorted ones.
+/// Index at which a value could be inserted into sorted values.
 #[function]
 pub fn insertion_point(sorted: &[f64], value: f64) -> usize {
     let (mut low, mut high) = (0, sorted.len());
@@ -39,7 +39,7 @@ pub fn trimmed_mean(readings: &[f64; 9]) -> f64 {
     sorted[2..7].iter().sum::<f64>() / 5.0
 }
 
-/// In which of the classes a value falls.
+/// Index of the class that a value falls into.
 #[function]
 pub fn class_of(limits: &List<f64, 6>, value: f64) -> usize {
     insertion_point(limits, value)

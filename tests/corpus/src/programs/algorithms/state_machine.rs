@@ -1,4 +1,4 @@
-//! A state machine whose states carry data: a connection with time-outs and a growing pause.
+//! A state machine whose states carry data: a connection with timeouts and growing pauses between retries.
 
 use bessemer::prelude::*;
 
@@ -6,18 +6,18 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Link {
-    /// Waits so many ticks before it tries again.
+    /// Waits a number of ticks before the next attempt.
     #[default]
     Idle,
     Waiting { ticks: u16, tries: u8 },
-    /// Asked, so many ticks ago.
+    /// A request was sent `ticks` ticks ago, after `tries` attempts.
     Asking { ticks: u16, tries: u8 },
-    /// Up; ticks since the last sign of life.
+    /// The connection is established; the number of ticks since something was last received.
     Up(u16),
     Failed,
 }
 
-/// The machine.
+/// The state machine.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Connection {
@@ -26,7 +26,7 @@ pub struct Connection {
 
 #[component]
 impl Connection {
-    /// One tick: whether something was heard; whether to send a request now.
+    /// One tick. `heard` is true if something was received; returns true if a request is to be sent now.
     #[entry(infallible)]
     pub fn tick(&mut self, heard: bool) -> bool {
         let (next, send) = match self.link {

@@ -30,7 +30,7 @@ enum Stage {
     },
 }
 
-/// A frame that came whole.
+/// A complete frame.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Frame {
@@ -39,7 +39,7 @@ pub struct Frame {
     pub payload: List<u8, 16>,
 }
 
-/// Why a frame was thrown away.
+/// Reason why a frame was rejected.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wrong {
@@ -47,7 +47,7 @@ pub enum Wrong {
     Checksum { expected: u16, came: u16 },
 }
 
-/// The receiver.
+/// Receiver of frames.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Receiver {
@@ -59,7 +59,7 @@ pub struct Receiver {
 
 #[component]
 impl Receiver {
-    /// Takes a byte; the frame that it completes, if it does.
+    /// Takes a byte; returns the frame that it completes, if any.
     #[entry(infallible)]
     pub fn take(&mut self, byte: u8) -> Result<Option<Frame>, Wrong> {
         let (next, outcome) = match self.stage {

@@ -1,11 +1,11 @@
-//! A Viterbi decoder for the convolutional code (7, 5) of rate 1/2: eight bits out of sixteen.
+//! A Viterbi decoder for the convolutional code (7, 5) of rate 1/2, which decodes 16 bits to eight.
 
 use bessemer::prelude::*;
 
 const STATES: usize = 4;
 const LENGTH: usize = 8;
 
-/// The two bits that the encoder sends for `bit`, coming from `state`.
+/// The two bits that the encoder sends for `bit` in `state`.
 #[function]
 fn sent(state: usize, bit: usize) -> u32 {
     let window = (bit << 2) | state;
@@ -14,7 +14,7 @@ fn sent(state: usize, bit: usize) -> u32 {
     high << 1 | low
 }
 
-/// Encodes eight bits, the highest first.
+/// Encodes eight bits, the most significant first.
 #[function]
 pub fn encode(byte: u8) -> u16 {
     let mut state = 0;
@@ -27,7 +27,7 @@ pub fn encode(byte: u8) -> u16 {
     code
 }
 
-/// The byte that was most likely sent, and in how many bits what came differs from it.
+/// The byte that was most likely sent, and the number of received bits that differ from its code.
 #[function]
 pub fn decode(code: u16) -> (u8, u32) {
     let mut costs = [0, 100, 100, 100];

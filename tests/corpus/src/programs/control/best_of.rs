@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use bessemer::prelude::*;
 
-/// A way to go, and what it costs.
+/// A route and its cost.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Way {
@@ -12,13 +12,13 @@ pub struct Way {
     pub cost: u16,
 }
 
-/// The cheapest way.
+/// The route with the least cost.
 #[function]
 pub fn cheapest(ways: &[Way; 4]) -> Way {
     ways.iter().min_by_key(|way| way.cost).copied().unwrap_or(ways[0])
 }
 
-/// Index of the element nearest to a value.
+/// Index of the element nearest to `to`.
 #[function]
 pub fn nearest(values: &[f32; 5], to: f32) -> Option<usize> {
     let best = values.iter().enumerate().min_by(|a, b| {

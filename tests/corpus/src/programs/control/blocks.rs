@@ -1,4 +1,4 @@
-//! A block is a value, with names of its own.
+//! A block is a value and may declare variables of its own.
 
 use bessemer::prelude::*;
 

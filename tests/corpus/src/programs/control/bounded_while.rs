@@ -1,8 +1,9 @@
-//! `#[bound]` declares the number of passes of a `while` without a derivable bound; one more pass is a fault.
+//! `#[bound]` declares the largest number of iterations of a `while` whose bound cannot be derived; one more is a
+//! fault.
 
 use bessemer::prelude::*;
 
-/// The square root of a positive number (Newton), as near as `tolerance`.
+/// The square root of a positive number (Newton's method), to within `tolerance`.
 #[function]
 pub fn root(x: f64, tolerance: f64) -> f64 {
     let mut guess = x.max(1.0);

@@ -1,15 +1,15 @@
-//! More adapters: `skip_while`, `map_while` and `take_while` end or begin a
-//! chain, `scan` carries a state; two arrays are combined, one of them reversed.
+//! More adapters: `skip_while`, `map_while` and `take_while` end or begin a chain, `scan` carries a state; two arrays
+//! are combined, one of them reversed.
 
 use bessemer::prelude::*;
 
-/// The energy behind the first sample beyond a threshold.
+/// The energy of the samples from the first one beyond a threshold.
 #[function]
 pub fn energy(samples: &[f64; 8], threshold: f64) -> f64 {
     samples.iter().skip_while(|x| x.abs() < threshold).map(|x| x * x).sum()
 }
 
-/// Number of digits at the beginning of a text, and their value.
+/// The value of the digits at the beginning of a text, and their number.
 #[function]
 pub fn leading_number(text: &[u8; 6]) -> u32 {
     text.iter()
@@ -17,7 +17,7 @@ pub fn leading_number(text: &[u8; 6]) -> u32 {
         .fold(0, |value, digit| 10 * value + u32::from(digit))
 }
 
-/// The highest level of a tank that is filled and drained; it ends where it runs empty.
+/// The highest level of a tank with these inflows and outflows; the iteration ends when it is empty.
 #[function]
 pub fn highest(flows: &[i32; 6], start: i32) -> Option<i32> {
     flows
@@ -35,7 +35,7 @@ pub fn folded(samples: &[f32; 4], coefficients: &[f32; 4]) -> f32 {
     samples.iter().zip(coefficients.iter().rev()).map(|(x, c)| x * c).sum()
 }
 
-/// The second of the readings that are valid, and the last place of a zero.
+/// The second valid reading, and the index of the last zero.
 #[function]
 pub fn places(readings: &[u16; 6]) -> (Option<u16>, Option<usize>) {
     let second = readings.iter().copied().filter(|x| *x < 4096).nth(1);

@@ -1,5 +1,4 @@
-//! Chains of iterators that end in a value are the loops that they stand for. The sum of floats begins with
-//! −0, as Rust's does.
+//! Iterator chains that end in a value become loops. The sum of floats begins with −0, as Rust's does.
 
 use bessemer::prelude::*;
 
@@ -10,7 +9,7 @@ pub fn power(samples: &[f64; 8]) -> f64 {
     sum / 8.0
 }
 
-/// The sum of products, up to a limit.
+/// The sum of products, limited to `most`.
 #[function]
 pub fn weighted(values: &[i32; 4], weights: &[i32; 4], most: i32) -> i32 {
     values.iter().zip(weights).map(|(v, w)| v * w).filter(|p| *p <= most).sum()
@@ -22,7 +21,7 @@ pub fn rises(values: &[f32; 5]) -> bool {
     (1..5).all(|i| values[i] > values[i - 1])
 }
 
-/// Bits as a number.
+/// Packs bits into a number.
 #[function]
 pub fn packed(flags: [bool; 8]) -> u8 {
     flags.iter().enumerate().fold(0, |bits, (i, &flag)| if flag { bits | 1 << i } else { bits })

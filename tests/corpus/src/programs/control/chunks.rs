@@ -1,8 +1,9 @@
-//! `.chunks(n)` takes elements several at a time, the last time perhaps fewer; `.take_while(…)` ends a loop early.
+//! `.chunks(n)` iterates over groups of elements, of which the last may be shorter; `.take_while(…)` ends a loop
+//! early.
 
 use bessemer::prelude::*;
 
-/// The largest sum of three in a row, the last perhaps of fewer.
+/// The largest sum of a group of three; the last group may be shorter.
 #[function]
 pub fn busiest(values: &[f64; 8]) -> f64 {
     let mut most = f64::MIN;
@@ -12,7 +13,7 @@ pub fn busiest(values: &[f64; 8]) -> f64 {
     most
 }
 
-/// The block in which the sum of the bytes so far passes a limit.
+/// The index of the group at which the sum of all bytes so far exceeds a limit.
 #[function]
 pub fn passed(bytes: &[u8; 10], used: usize, limit: u32) -> Option<usize> {
     let used = used.min(bytes.len());
@@ -28,7 +29,7 @@ pub fn passed(bytes: &[u8; 10], used: usize, limit: u32) -> Option<usize> {
     None
 }
 
-/// The number that a text begins with; none if it is too large.
+/// The number at the beginning of a text; `None` if it is too large.
 #[function]
 pub fn leading_number(text: &[u8; 6]) -> Option<u16> {
     let mut number: u16 = 0;
@@ -38,7 +39,7 @@ pub fn leading_number(text: &[u8; 6]) -> Option<u16> {
     Some(number)
 }
 
-/// The sum of the readings before the first that is not above a limit, without those above 100.
+/// The sum of the readings up to the first that is not above a limit, without those above 100.
 #[function]
 pub fn first_run(values: &[i32; 8], limit: i32) -> i32 {
     values.iter().take_while(|&&value| value > limit).filter(|&&value| value <= 100).sum()

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// A candidate.
+/// A track with its quality.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Track {
@@ -10,7 +10,7 @@ pub struct Track {
     pub score: f32,
 }
 
-/// The numbers of the tracks that are good enough, as bits.
+/// The tracks that are good enough, as a bit mask.
 #[function]
 pub fn good(tracks: &[Track; 6], limit: f32) -> u8 {
     let mut bits = 0;
@@ -23,7 +23,7 @@ pub fn good(tracks: &[Track; 6], limit: f32) -> u8 {
     bits
 }
 
-/// The first track behind the one of a number that is good enough.
+/// The first track after the index `after` that is good enough.
 #[function]
 pub fn next(tracks: &[Track; 6], after: usize, limit: f32) -> Option<usize> {
     tracks.iter().enumerate().find(|(i, track)| *i > after && track.score > limit).map(|(i, _)| i)
@@ -39,7 +39,7 @@ pub fn together(a: &[i32; 4], b: &[i32; 4]) -> i64 {
         .fold(0, |sum, product| sum ^ product)
 }
 
-/// The least and the greatest.
+/// The minimum and the maximum.
 #[function]
 pub fn ends(values: &[i32; 5]) -> (i32, i32) {
     values
@@ -47,7 +47,7 @@ pub fn ends(values: &[i32; 5]) -> (i32, i32) {
         .fold((i32::MAX, i32::MIN), |(least, greatest), &x| (least.min(x), greatest.max(x)))
 }
 
-/// A closure of a name that takes a pair, and one that looks at nothing.
+/// A named closure that takes a pair, and one that ignores its argument.
 #[function]
 pub fn scaled(pair: (i32, i32), other: (i32, i32)) -> i32 {
     let mixed = |(a, b): (i32, i32)| a ^ (b << 1);

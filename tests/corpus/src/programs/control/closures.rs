@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The response of a two-port, at three frequencies.
+/// The response of a first-order low-pass at three frequencies.
 #[function]
 pub fn response(gain: f64, corner: f64, at: [f64; 3]) -> [f64; 3] {
     let low_pass = |frequency: f64| {

@@ -1,23 +1,23 @@
-//! Iterators that are compared as a whole, and the best item of one that has a name.
+//! Iterators compared as sequences, and the minimum of a named iterator.
 
 use core::cmp::Ordering;
 
 use bessemer::prelude::*;
 
-/// By the first items that differ; else the shorter comes first.
+/// Compares by the first items that differ; if there are none, the shorter sequence is less.
 #[function]
 pub fn compared(a: &[i16; 5], b: &[i16; 4]) -> (Ordering, bool, bool) {
     (a.iter().cmp(b.iter()), a.iter().ge(b.iter()), a.iter().skip(1).eq(b))
 }
 
-/// Comparisons of floats, some of which have no order.
+/// Comparisons of sequences of floats, some of which are unordered.
 #[function]
 pub fn floats(x: &[f64; 3], y: &[f64; 3], n: usize) -> [bool; 4] {
     let x = x.iter().take(n % 4);
     [x.clone().lt(y), x.clone().le(y), x.clone().gt(y.iter()), x.ge(y.iter())]
 }
 
-/// The best of what has a name.
+/// The minimum and maximum of named iterators.
 #[function]
 pub fn best(a: &[i16; 5], x: &[f64; 4]) -> (Option<i16>, Option<f64>, Option<i16>, Option<usize>) {
     let odd = a.iter().copied().filter(|x| x % 2 == 1);
@@ -32,7 +32,7 @@ pub fn best(a: &[i16; 5], x: &[f64; 4]) -> (Option<i16>, Option<f64>, Option<i16
     )
 }
 
-/// Left within the first of two that are written one after the other, or within the second.
+/// A loop over two chained arrays that ends within the first or the second.
 #[function]
 pub fn raised(a: &mut [i16; 3], b: &mut [i16; 3], limit: i16) -> bool {
     for x in a.iter_mut().chain(b.iter_mut()) {

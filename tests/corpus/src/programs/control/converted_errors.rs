@@ -1,4 +1,4 @@
-//! `?` converts the callee's error to the caller's by an own `From`.
+//! `?` converts the callee's error to the caller's by an implementation of `From`.
 
 use bessemer::prelude::*;
 
@@ -8,7 +8,7 @@ use bessemer::prelude::*;
 pub enum FrameFault {
     #[default]
     Short,
-    /// The byte that should have begun it.
+    /// The first byte is wrong: its value.
     Start(u8),
 }
 
@@ -18,18 +18,18 @@ pub enum FrameFault {
 pub enum DriveFault {
     #[default]
     Overload,
-    /// It was told something that is no frame.
+    /// The received frame is invalid.
     Link(FrameFault),
 }
 
-/// A number for the display.
+/// The number of a fault for the display.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FaultCode(pub u16);
 
 #[data]
 impl From<FrameFault> for DriveFault {
-    /// A fault of the link.
+    /// Converts a fault of the frame.
     fn from(fault: FrameFault) -> DriveFault {
         DriveFault::Link(fault)
     }
@@ -37,7 +37,7 @@ impl From<FrameFault> for DriveFault {
 
 #[data]
 impl From<DriveFault> for FaultCode {
-    /// The number.
+    /// The number of a fault.
     fn from(fault: DriveFault) -> FaultCode {
         match fault {
             DriveFault::Overload => FaultCode(1),
@@ -57,7 +57,7 @@ pub fn payload(frame: [u8; 3]) -> Result<u16, FrameFault> {
     }
 }
 
-/// The current that a frame asks for, A.
+/// The current that a frame requests, A.
 #[function]
 pub fn current(frame: [u8; 3], limit: f32) -> Result<f32, DriveFault> {
     let current = f32::from(payload(frame)?) * 0.01;
@@ -67,7 +67,7 @@ pub fn current(frame: [u8; 3], limit: f32) -> Result<f32, DriveFault> {
     Ok(current)
 }
 
-/// Sum of two frames, or a number for the fault.
+/// Sum of the currents of two frames, or the number of the fault.
 #[function]
 pub fn total(one: [u8; 3], other: [u8; 3], limit: f32) -> Result<f32, FaultCode> {
     Ok(current(one, limit)? + current(other, limit)?)

@@ -1,4 +1,4 @@
-//! A `while` that counts needs no bound: what it compares goes one way only, in every pass.
+//! A `while` that counts needs no declared bound: the compared variable moves in one direction in every iteration.
 
 use bessemer::prelude::*;
 
@@ -12,7 +12,7 @@ pub fn quiet(samples: &[f32; 16], limit: f32) -> usize {
     count
 }
 
-/// Index at which `x` belongs in a rising table (bisection).
+/// Index at which `x` could be inserted into an ascending table (bisection).
 #[function]
 pub fn place(table: &[f32; 16], x: f32) -> usize {
     let (mut low, mut high) = (0, 16);

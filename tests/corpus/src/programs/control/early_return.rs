@@ -1,8 +1,8 @@
-//! A function may return from anywhere.
+//! A function may return from any position.
 
 use bessemer::prelude::*;
 
-/// The place of `wanted` in a sorted table, or the table's length.
+/// The index of `wanted` in a sorted table, or the table's length.
 #[function]
 pub fn search(table: &[u16; 8], wanted: u16) -> usize {
     let (mut low, mut high) = (0, 8);

@@ -1,4 +1,4 @@
-//! `for` goes through the elements of arrays, by reference or by value.
+//! `for` iterates over the elements of arrays, by reference or by value.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Ranges that include their end, and such as run backwards.
+//! Ranges that include their end, and reversed ones.
 
 use bessemer::prelude::*;
 

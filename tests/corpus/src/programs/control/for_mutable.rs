@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Limits every command.
+/// Limits every command to `most`.
 #[function]
 pub fn limit(commands: &mut [f64; 4], most: f64) {
     for command in commands.iter_mut() {

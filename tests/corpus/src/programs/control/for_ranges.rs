@@ -1,8 +1,8 @@
-//! `for` goes through ranges; one whose bounds are constants has a `uint32_t` counter and no check.
+//! `for` iterates over ranges; a range with constant bounds has a `uint32_t` counter and no check.
 
 use bessemer::prelude::*;
 
-/// The sum of a window, and how many of its values are negative.
+/// The sum of a window, and the number of its negative values.
 #[function]
 pub fn window(values: &[i16; 8]) -> [i32; 2] {
     let mut sum = 0;

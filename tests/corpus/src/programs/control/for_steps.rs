@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The sum of the even elements, and of the odd ones from behind, each less than the one before.
+/// The sum of the even elements, and of the odd ones in reverse order, halved at each step.
 #[function]
 pub fn interleaved(values: &[f64; 10]) -> f64 {
     let mut sum = 0.0;
@@ -35,7 +35,7 @@ pub fn every(values: &[f64; 10], count: usize, step: usize) -> f64 {
     sum
 }
 
-/// A range with a sign, whatever its ends and its step, upwards with the last and downwards without.
+/// A range of signed numbers with any ends and step, upwards with its end and downwards without.
 #[function]
 pub fn signed(low: i8, high: i8, step: usize) -> i32 {
     let mut sum = 0;
@@ -48,7 +48,7 @@ pub fn signed(low: i8, high: i8, step: usize) -> i32 {
     sum
 }
 
-/// At the end of what the type holds.
+/// A range whose end is the largest number of the type.
 #[function]
 pub fn late(from: u64, step: usize) -> u64 {
     let mut last = 0;
@@ -61,7 +61,7 @@ pub fn late(from: u64, step: usize) -> u64 {
     last
 }
 
-/// Negative ones, of a constant range and a variable one; in a chain.
+/// Negative numbers, in a constant range and a variable one, and in a chain.
 #[function]
 pub fn negative(from: i32, width: u8) -> i32 {
     let from = from.clamp(-1000, 1000);
@@ -72,7 +72,7 @@ pub fn negative(from: i32, width: u8) -> i32 {
     sum + (from..from + i32::from(width)).step_by(5).map(|x| x % 7).sum::<i32>()
 }
 
-/// The ends are read before the step is computed, which changes one of them.
+/// The ends are evaluated before the step, which changes one of them.
 #[function]
 pub fn moved(start: u8) -> u32 {
     let mut end = 20_u8;
@@ -86,7 +86,7 @@ pub fn moved(start: u8) -> u32 {
     sum + u32::from(end)
 }
 
-/// Numbers of 64 bits with a sign, which lie further apart than they reach; how many passes there were comes with the last.
+/// Signed 64-bit numbers whose distance exceeds the type. Returns the last number and the number of iterations.
 #[function]
 pub fn farthest(from: i64, to: i64, step: usize) -> (i64, u32) {
     let mut passes = 0_u32;
@@ -108,7 +108,7 @@ pub fn farthest(from: i64, to: i64, step: usize) -> (i64, u32) {
     (last, passes)
 }
 
-/// All numbers there are, of which the loop takes a few.
+/// A range over a whole type; the loop ends after a few iterations.
 #[function]
 pub fn all(start: u64) -> u64 {
     let mut sum = 0_u64;

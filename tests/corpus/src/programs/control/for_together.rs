@@ -1,4 +1,4 @@
-//! `zip`, `enumerate` and `rev` give one loop over indices.
+//! `zip`, `enumerate` and `rev` become one loop over indices.
 
 use bessemer::prelude::*;
 
@@ -12,7 +12,7 @@ pub fn weighted(values: &[f64; 5], weights: &[f64; 5]) -> f64 {
     sum
 }
 
-/// The place of the first value above a limit, or 6.
+/// The index of the first value above a limit, or 6.
 #[function]
 pub fn first_above(values: &[i32; 6], limit: i32) -> usize {
     for (i, value) in values.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Two more ends of a chain: `for_each`, which is a loop, and `reduce`, which begins with the first item.
+//! Two more ways to consume a chain: `for_each`, which is a loop, and `reduce`, which begins with the first item.
 
 use bessemer::prelude::*;
 use core::cmp;
@@ -9,7 +9,7 @@ pub fn halve(samples: &mut [f64; 5]) {
     samples.iter_mut().for_each(|sample| *sample *= 0.5);
 }
 
-/// Weights every other sample by its place.
+/// The sum of every second sample, weighted by its index.
 #[function]
 pub fn moment(samples: &[f64; 5]) -> f64 {
     let mut sum = 0.0;
@@ -22,37 +22,37 @@ pub fn moment(samples: &[f64; 5]) -> f64 {
     sum
 }
 
-/// Adds rows up, as far as both go.
+/// Adds numbers to sums, as far as both arrays go.
 #[function]
 pub fn added(sums: &mut [u16; 4], parts: &[u8; 3]) {
     sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum += u16::from(*part));
 }
 
-/// The largest of some numbers; a NaN gives way.
+/// The largest of some numbers; a NaN is ignored.
 #[function]
 pub fn largest(values: &[f64; 4], count: usize) -> Option<f64> {
     values.iter().copied().take(count).reduce(f64::max)
 }
 
-/// From the first to the last: what may overflow does so at its pass.
+/// The difference of all values in order; an overflow faults at its iteration.
 #[function]
 pub fn balance(values: &[i32; 5]) -> i32 {
     values.iter().map(|x| x / 2).reduce(|so_far, x| if so_far > x { so_far - x } else { so_far + x }).unwrap_or(0)
 }
 
-/// Folds of a range, and of a filter's items.
+/// Folds of a range and of filtered items.
 #[function]
 pub fn parity(end: u8) -> Option<u8> {
     (0..end).filter(|x| x % 3 == 1).reduce(|a, b| a ^ b)
 }
 
-/// Within limits, by Rust's functions.
+/// Limits a value with Rust's functions.
 #[function]
 pub fn within(value: i32, low: i32, high: u8) -> i32 {
     cmp::max(low, core::cmp::min(value, i32::from(high)))
 }
 
-/// A literal takes the type of what is beside it.
+/// A literal has the type of the other operand.
 #[function]
 pub fn positive(value: i16) -> i16 {
     let mut least = 0;

@@ -1,9 +1,9 @@
-//! Named iterators and ranges evaluate their numbers when they are created. A fault
-//! occurs there, as in Rust, and later changes of the numbers have no effect.
+//! Named iterators and ranges evaluate their bounds when they are created. A fault occurs there, as in Rust, and
+//! later changes of the variables have no effect.
 
 use bessemer::prelude::*;
 
-/// A range faults where it is made, though nobody may go through it.
+/// A range faults where it is created, even if no loop uses it.
 #[function]
 pub fn made_before(samples: &[f64; 4], n: usize, is_asked: bool) -> f64 {
     let below = 0..n - 1;
@@ -27,7 +27,7 @@ pub fn made_before(samples: &[f64; 4], n: usize, is_asked: bool) -> f64 {
     sum
 }
 
-/// The number is another one when the iterator is gone through.
+/// The variable has another value when the iterator is consumed.
 #[function]
 pub fn changed_since(samples: &[i32; 6], first: usize) -> i32 {
     let mut left = first & 3;

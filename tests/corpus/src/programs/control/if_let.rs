@@ -11,7 +11,7 @@ pub struct Altimeter {
     pub errors: u8,
 }
 
-/// The height to go by, m.
+/// The height to use, m.
 #[function]
 pub fn height(altimeter: &Altimeter, other: f64) -> f64 {
     if let Some(height) = altimeter.height && altimeter.errors < 3 { height } else { other }

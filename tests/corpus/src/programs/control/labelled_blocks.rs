@@ -32,7 +32,7 @@ pub fn level(temperature: f32, rise: f32) -> u8 {
     }
 }
 
-/// Arms unless something speaks against it.
+/// Arms the motor unless one of the conditions forbids it.
 #[function]
 pub fn arm(ready: bool, voltage: f32, armed: &mut bool, refusals: &mut u8) {
     'arm: {

@@ -1,4 +1,4 @@
-//! A `loop` may end in its middle or at its end, and a `while` with a list that gets empty.
+//! A `loop` may end in its middle or at its end, and a `while` when a list becomes empty.
 
 use bessemer::prelude::*;
 
@@ -16,7 +16,7 @@ pub fn digits(n: u32) -> u32 {
     count
 }
 
-/// The least power of two that is no less.
+/// The least power of two that is not below `n`.
 #[function]
 pub fn power_above(n: u32) -> u32 {
     let mut power = 1;
@@ -26,7 +26,7 @@ pub fn power_above(n: u32) -> u32 {
     power
 }
 
-/// The elements in turn, the last first.
+/// The elements in reverse order.
 #[function]
 pub fn turned(values: &List<u8, 5>) -> List<u8, 5> {
     let (mut left, mut turned) = (*values, List::new());

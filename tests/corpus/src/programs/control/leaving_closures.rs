@@ -1,8 +1,8 @@
-//! Closures that are left early, that move what they use, and that are a function by its name.
+//! Closures with early exits, closures that move their captures, and functions in place of closures.
 
 use bessemer::prelude::*;
 
-/// The square root where there is one.
+/// The square root; `None` for a negative number.
 #[function]
 pub fn root(x: f64) -> Option<f64> {
     let root = |x: f64| {
@@ -21,7 +21,7 @@ pub fn roots(x: f64, y: f64) -> f64 {
     both().unwrap_or(-1.0)
 }
 
-/// A closure in a chain that gives up on an item.
+/// A closure in a chain that returns early for an item.
 #[function]
 pub fn known(readings: &[i32; 6], scale: i32) -> i32 {
     let scaled = readings.iter().filter_map(|x| {
@@ -34,7 +34,7 @@ pub fn known(readings: &[i32; 6], scale: i32) -> i32 {
     scaled.fold(0, i32::wrapping_add)
 }
 
-/// The first item that a loop in a closure is left with.
+/// The item at which a loop in a closure ends.
 #[function]
 pub fn first_above(rows: &[[u8; 3]; 2], least: u8) -> u32 {
     let found = |row: &[u8; 3]| {
@@ -49,7 +49,7 @@ pub fn first_above(rows: &[[u8; 3]; 2], least: u8) -> u32 {
 }
 
 
-/// Functions and closures by their names, and copies that are moved.
+/// Functions and closures by their names, and moved copies.
 #[function]
 pub fn by_name(values: &[f32; 4], k: f32) -> f32 {
     let scaled = |x: f32| k * x;
@@ -60,7 +60,7 @@ pub fn by_name(values: &[f32; 4], k: f32) -> f32 {
     halves + most + shifted[0]
 }
 
-/// Half of it.
+/// Half of a number.
 #[function]
 pub fn halved(x: f32) -> f32 {
     x / 2.0

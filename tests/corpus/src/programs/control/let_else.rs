@@ -1,8 +1,8 @@
-//! `let … else` leaves where there is nothing to go on with.
+//! `let … else` exits if the pattern does not match.
 
 use bessemer::prelude::*;
 
-/// The mean of those of two readings that are there.
+/// The mean of the valid ones of two readings.
 #[function]
 pub fn mean(one: Option<f64>, other: Option<f64>) -> f64 {
     let Some(first) = one else {

@@ -1,4 +1,4 @@
-//! Loops in loops, with bounds that the outer one gives.
+//! Nested loops with bounds that depend on the outer one.
 
 use bessemer::prelude::*;
 

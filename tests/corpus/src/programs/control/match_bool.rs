@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The level of a pin with an inverter.
+/// The level of a pin that may be inverted.
 #[function]
 pub fn level(high: bool, inverted: bool) -> u8 {
     match high ^ inverted {

@@ -1,4 +1,4 @@
-//! `match` on an enum is a `switch`, as a value or as a statement.
+//! `match` on an enum becomes a `switch`, as a value or as a statement.
 
 use bessemer::prelude::*;
 
@@ -13,7 +13,7 @@ pub enum Phase {
     Landing,
 }
 
-/// The phases one after another.
+/// Steps through the phases in order.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sequence {

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// A key, and for how long it has been down.
+/// A key and how long it has been pressed.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Key {
@@ -21,7 +21,7 @@ pub fn action(key: &Key, shift: bool) -> u8 {
     }
 }
 
-/// A part of a line.
+/// A segment of a line.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stretch {
@@ -30,7 +30,7 @@ pub enum Stretch {
     Around { centre: f32, half: f32 },
 }
 
-/// Its length.
+/// Length of a segment.
 #[function]
 pub fn length(stretch: &Stretch) -> f32 {
     match *stretch {

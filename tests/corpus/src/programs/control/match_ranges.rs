@@ -1,4 +1,4 @@
-//! Long ranges and guards become conditions, in order.
+//! Long ranges and guards become `if` conditions, in order.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! `match` on integers, with several values, ranges and a rest: the cases of a `switch`.
+//! `match` on integers, with several values, ranges and a default: the cases of a `switch`.
 
 use bessemer::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// A chain that is bound, and consumed behind other statements.
+/// A named chain that is consumed after other statements.
 #[function]
 pub fn spread(samples: &[f64; 8]) -> f64 {
     let mean = samples.iter().sum::<f64>() / 8.0;
@@ -11,7 +11,7 @@ pub fn spread(samples: &[f64; 8]) -> f64 {
     squares.sum::<f64>() / count
 }
 
-/// Gone through twice.
+/// A chain that is consumed twice.
 #[function]
 pub fn twice(samples: &[i32; 5], least: i32) -> (u32, i32) {
     let above = samples.iter().filter(|x| **x > least);
@@ -19,7 +19,7 @@ pub fn twice(samples: &[i32; 5], least: i32) -> (u32, i32) {
     (count, above.fold(0, |sum, x| sum.wrapping_add(*x)))
 }
 
-/// In a `for`, beside another, and a range.
+/// Named iterators in a `for`, zipped, and a named range.
 #[function]
 pub fn weighted(samples: &[u16; 6], weights: &[u16; 6]) -> u32 {
     let middle = 1..5;
@@ -34,7 +34,7 @@ pub fn weighted(samples: &[u16; 6], weights: &[u16; 6]) -> u32 {
     sum
 }
 
-/// Values computed at compile time, and arms of floats.
+/// Values computed at compile time, and `match` on floats.
 #[function]
 pub fn shape(x: f64, up: bool) -> f64 {
     const { assert!(1 < 2) };
@@ -50,7 +50,7 @@ pub fn shape(x: f64, up: bool) -> f64 {
     }
 }
 
-/// The least and the largest of a type have no negative of their own.
+/// Magnitudes, including the lowest numbers of the types, which have no negative.
 #[function]
 pub fn magnitudes(x: i8, y: i64) -> (i8, i64) {
     (x.saturating_neg(), y.saturating_abs())

@@ -1,8 +1,8 @@
-//! Conditions within conditions, and an `if` without `else`.
+//! Nested conditions, and an `if` without `else`.
 
 use bessemer::prelude::*;
 
-/// The current that a charger may give, mA.
+/// The current that a charger may supply, mA.
 #[function]
 pub fn current(voltage: u16, temperature: i8, fast: bool) -> u16 {
     let mut current = 500;

@@ -1,18 +1,18 @@
-//! Numbers for what comes out of a chain.
+//! Enumerated items of chains.
 
 use bessemer::prelude::*;
 
-/// A filter that gives its power once.
+/// A filter whose power can be taken once.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bin {
-    /// Its two parts.
+    /// The two parts of its state.
     pub parts: [f32; 2],
 }
 
 #[data]
 impl Bin {
-    /// The power; the filter starts anew.
+    /// Returns the power and resets the filter.
     pub fn take(&mut self) -> f32 {
         let [a, b] = self.parts;
         self.parts = [0.0; 2];
@@ -20,13 +20,13 @@ impl Bin {
     }
 }
 
-/// The strongest, and where it stands.
+/// The strongest bin and its index.
 #[function]
 pub fn strongest(bins: &mut [Bin; 4]) -> Option<(usize, f32)> {
     bins.iter_mut().map(Bin::take).enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b))
 }
 
-/// Numbers of those that are left over alone.
+/// Sum of the items that pass a filter, weighted by their number among them.
 #[function]
 pub fn weighted(values: &[i16; 6], least: i16) -> i64 {
     let mut sum = 0;
@@ -36,14 +36,14 @@ pub fn weighted(values: &[i16; 6], least: i16) -> i64 {
     sum
 }
 
-/// Every second of the squares.
+/// The sum of every second square.
 #[function]
 pub fn every_second(count: u8) -> u32 {
     let squares = (0..u32::from(count)).map(|x| x * x);
     squares.enumerate().filter(|(at, _)| at % 2 == 1).map(|(_, square)| square).fold(0, |a, b| a ^ b)
 }
 
-/// Contents of two groups, one after the other.
+/// Contents of two chained groups.
 #[function]
 pub fn gathered(first: &mut [Bin; 2], second: &mut [Bin; 3], x: f32) -> f32 {
     let mut sum = 0.0;

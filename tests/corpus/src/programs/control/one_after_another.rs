@@ -1,4 +1,4 @@
-//! `chain` joins arrays, `step_by` takes each n-th element, and ranges have a step and a run-time end.
+//! `chain` joins arrays, `step_by` takes every n-th element, and ranges have a step and a run-time end.
 
 use bessemer::prelude::*;
 
@@ -10,7 +10,7 @@ pub struct Cell {
     pub valid: bool,
 }
 
-/// Number of low cells in a battery: its own, and the added ones.
+/// Number of low cells in a battery with additional cells.
 #[function]
 pub fn low(own: &[Cell; 4], added: &[Cell; 3], limit: f32) -> usize {
     own.iter().chain(added.iter()).filter(|cell| cell.valid && cell.voltage < limit).count()
@@ -26,19 +26,19 @@ pub fn checksum(header: &[u8; 3], payload: &List<u8, 6>) -> u8 {
     sum
 }
 
-/// The first place of a zero in what came before and what comes now.
+/// The index of the first zero in two chained arrays.
 #[function]
 pub fn first_zero(before: &[i16; 3], now: &[i16; 2]) -> Option<usize> {
     before.iter().chain(now).position(|x| *x == 0)
 }
 
-/// The samples of the left channel, which come in turns.
+/// The sum of the left channel; the samples of the channels alternate.
 #[function]
 pub fn left(samples: &[i16; 7]) -> i32 {
     samples.iter().step_by(2).map(|x| i32::from(*x)).sum()
 }
 
-/// Weighted sum of the right half, each sample with its number.
+/// Sum of the samples of the right channel, weighted by their number.
 #[function]
 pub fn right(samples: &[i16; 7]) -> i32 {
     let mut sum = 0;

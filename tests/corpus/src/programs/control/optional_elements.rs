@@ -1,8 +1,8 @@
-//! Elements that are there, of such as may not be.
+//! Iterators over optional elements, of which only the present ones count.
 
 use bessemer::prelude::*;
 
-/// The sum of the readings that came.
+/// The sum of the present readings.
 #[function]
 pub fn total(readings: &[Option<u8>; 5]) -> u32 {
     let mut sum = 0;

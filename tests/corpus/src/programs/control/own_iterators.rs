@@ -3,7 +3,7 @@
 
 use bessemer::prelude::*;
 
-/// The steps of a ramp: each as far from the last as the slope says, and the goal in the end.
+/// The steps of a ramp: each changes by at most the slope, and the last is the goal.
 #[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ramp {
@@ -14,7 +14,7 @@ pub struct Ramp {
 
 #[data]
 impl Ramp {
-    /// From one value to another.
+    /// A ramp from one value to another.
     pub fn new(from: i32, to: i32, slope: i32) -> Ramp {
         Ramp { at: from, goal: to, slope: slope.saturating_abs().max(1) }
     }
@@ -38,7 +38,7 @@ impl Iterator for Ramp {
     }
 }
 
-/// The most passes of a ramp.
+/// Largest number of steps of a ramp.
 pub const LIMIT: usize = 12;
 
 /// Length and sum of a ramp.
@@ -53,13 +53,13 @@ pub fn through(from: i32, to: i32) -> (u32, i32) {
     (steps, sum)
 }
 
-/// A chain of the first few.
+/// The sum of the first `n` steps.
 #[function]
 pub fn taken(from: i32, to: i32, n: usize) -> i32 {
     Ramp::new(from, to, 10).take(n & 7).map(|x| x.wrapping_mul(3)).filter(|x| x % 2 == 0).fold(0, |sum, x| sum ^ x)
 }
 
-/// Elements with the steps beside them.
+/// Elements zipped with the steps of a ramp.
 #[function]
 pub fn followed(values: &[i32; 5], to: i32) -> i32 {
     let mut sum = 0_i32;

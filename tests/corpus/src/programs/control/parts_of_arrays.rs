@@ -12,7 +12,7 @@ pub fn steepest(values: &[f64; 8]) -> f64 {
     steepest
 }
 
-/// Sums of three at a time.
+/// Sums of groups of three samples.
 #[function]
 pub fn sums(samples: &[u16; 9]) -> [u32; 3] {
     let mut sums = [0; 3];
@@ -22,7 +22,7 @@ pub fn sums(samples: &[u16; 9]) -> [u32; 3] {
     sums
 }
 
-/// The mean without the first two.
+/// The mean without the first two values.
 #[function]
 pub fn settled(values: &[f32; 10]) -> f32 {
     values.iter().skip(2).sum::<f32>() / 8.0

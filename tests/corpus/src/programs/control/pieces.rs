@@ -1,8 +1,8 @@
-//! Chunks of a size that is known at run time.
+//! Chunks whose size is known only at run time.
 
 use bessemer::prelude::*;
 
-/// Butterflies of growing width, in place.
+/// Butterflies of a fast transform, with doubling width, in place.
 #[function]
 pub fn butterflies(data: &mut [f32; 8]) {
     let mut half = 1;
@@ -20,7 +20,7 @@ pub fn butterflies(data: &mut [f32; 8]) {
     }
 }
 
-/// Written elements are read again: the names are those of the elements.
+/// Elements that are written in chunks and read afterwards.
 #[function]
 pub fn read_again(data: &mut [f32; 6], at: usize) -> f32 {
     let (low, high) = data.split_at_mut(at);
@@ -34,7 +34,7 @@ pub fn read_again(data: &mut [f32; 6], at: usize) -> f32 {
     sum
 }
 
-/// The sums of pieces, the last of which may be shorter.
+/// The sums of chunks; the last chunk may be shorter.
 #[function]
 pub fn sums(values: &[i32], size: usize) -> [i32; 4] {
     let mut sums = [0_i32; 4];
@@ -46,7 +46,7 @@ pub fn sums(values: &[i32], size: usize) -> [i32; 4] {
     sums
 }
 
-/// The greatest mean of so many neighbours, and every so many elements.
+/// The greatest mean of `size` neighbours, and the sum of every `size`-th element.
 #[function]
 pub fn windows(values: &[f64; 6], size: usize) -> (f64, f64) {
     let mut most = 0.0_f64;
@@ -64,7 +64,7 @@ pub fn windows(values: &[f64; 6], size: usize) -> (f64, f64) {
     (most, some)
 }
 
-/// Each piece begins with its number.
+/// Writes to the first element of each chunk its number.
 #[function]
 pub fn numbered(data: &mut [u8; 7], size: usize) {
     for (number, piece) in data.chunks_mut(size).enumerate() {

@@ -1,8 +1,8 @@
-//! `?` takes the value, or returns what there is in its place.
+//! `?` evaluates to the value, or returns the error.
 
 use bessemer::prelude::*;
 
-/// Why there is no voltage.
+/// Reason why there is no voltage.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Failure {
@@ -11,7 +11,7 @@ pub enum Failure {
     Short,
 }
 
-/// The voltage of a converter's count.
+/// The voltage for a count of an analog-to-digital converter.
 #[function]
 pub fn voltage(count: u16) -> Result<f64, Failure> {
     match count {
@@ -21,7 +21,7 @@ pub fn voltage(count: u16) -> Result<f64, Failure> {
     }
 }
 
-/// The power of a voltage and a current, both as counts.
+/// The power from a voltage and a current, both as counts of a converter.
 #[function]
 pub fn power(volts: u16, amperes: u16) -> Result<f64, Failure> {
     let u = voltage(volts)?;

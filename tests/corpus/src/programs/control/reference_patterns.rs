@@ -1,4 +1,4 @@
-//! `ref` and `ref mut` in a pattern name a part of the matched place.
+//! `ref` and `ref mut` in a pattern bind a reference to a part of the matched place.
 
 use bessemer::prelude::*;
 
@@ -22,7 +22,7 @@ pub struct Valve {
 
 #[data]
 impl Valve {
-    /// Goes on with what it was told.
+    /// Executes one step of the current command.
     pub fn advance(&mut self) -> f64 {
         match self.order {
             Order::Hold => {}
@@ -37,7 +37,7 @@ impl Valve {
     }
 }
 
-/// One step, and what is left.
+/// Advances the valve by one step and returns the rest.
 #[function]
 pub fn advanced(valve: &mut Valve) -> f64 {
     let open = valve.advance();

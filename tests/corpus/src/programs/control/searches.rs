@@ -1,4 +1,4 @@
-//! A chain may end in an `Option`: the least, the largest, the first that fits and where it is.
+//! A chain may end in an `Option`: the minimum, the maximum, the first match, or its index.
 
 use bessemer::prelude::*;
 
@@ -14,7 +14,7 @@ pub fn over(channels: &[f64; 5], limits: &[f64; 5]) -> Option<usize> {
     channels.iter().zip(limits).position(|(channel, limit)| channel > limit)
 }
 
-/// The first cell that is empty.
+/// The first empty cell.
 #[function]
 pub fn empty(cells: &[f32; 8]) -> Option<f32> {
     cells.iter().copied().find(|voltage| *voltage < 3.0)

@@ -1,19 +1,19 @@
-//! `try_fold` gathers as long as its closure gives something to go on with.
+//! `try_fold` accumulates until its closure fails.
 
 use bessemer::prelude::*;
 
-/// Why a text is no number.
+/// Reason why a text is not a number.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Trouble {
-    /// A letter.
+    /// The text contains a letter.
     #[default]
     Letter,
-    /// More than fits.
+    /// The number does not fit its type.
     Beyond,
 }
 
-/// The sum, if it fits.
+/// The sum, if it fits its type.
 #[function]
 pub fn total(values: &[u8; 5]) -> Option<u8> {
     values.iter().try_fold(0_u8, |sum, value| sum.checked_add(*value))
@@ -34,13 +34,13 @@ pub fn number(digits: &[u8; 4]) -> Result<u16, Trouble> {
     })
 }
 
-/// No number.
+/// The error for a letter.
 #[function]
 pub fn return_letter() -> Result<u16, Trouble> {
     Err(Trouble::Letter)
 }
 
-/// The least and the greatest reading, if all are numbers.
+/// The least and the greatest reading, if none is a NaN.
 #[function]
 pub fn span(readings: &[f32; 4]) -> Option<(f32, f32)> {
     readings.iter().try_fold((f32::INFINITY, f32::NEG_INFINITY), |(least, greatest), x| {

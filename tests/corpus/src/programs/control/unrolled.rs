@@ -1,4 +1,4 @@
-//! `#[unroll(4)]` makes compilers write out four passes of a loop; `#[keep]` stops them from unrolling.
+//! `#[unroll(4)]` makes compilers unroll a loop four times; `#[keep]` prevents unrolling.
 
 use bessemer::prelude::*;
 

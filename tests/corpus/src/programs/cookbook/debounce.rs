@@ -2,35 +2,35 @@
 
 use bessemer::prelude::*;
 
-/// Samples that have to agree: 5 ms at 1 kHz, longer than what contacts of small buttons take to settle.
+/// Number of equal samples for a change: 5 ms at 1 kHz, longer than the contacts of small buttons bounce.
 pub const STABLE_SAMPLES: u8 = 5;
 
-/// Edge at a sample.
+/// Change of the debounced level at a sample.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum ButtonEdge {
-    /// The level is what it was.
+    /// The level did not change.
     #[default]
     Steady,
-    /// It was pressed.
+    /// The button was pressed.
     Pressed,
-    /// It was released.
+    /// The button was released.
     Released,
 }
 
-/// A push button.
+/// A debounced push button.
 #[component]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PushButton {
-    /// True if it is held to be pressed.
+    /// The debounced state: true if the button is pressed.
     pressed: bool,
-    /// Samples in a row that said otherwise, below `STABLE_SAMPLES`.
+    /// Number of consecutive samples that differ from `pressed`; below `STABLE_SAMPLES`.
     differing: u8,
 }
 
 #[component]
 impl PushButton {
-    /// One sample of the pin; `closed`: whether the contact is closed.
+    /// Takes one sample of the pin; `closed` is true if the contact is closed.
     #[entry(infallible)]
     pub fn sample(&mut self, closed: bool) -> ButtonEdge {
         if closed == self.pressed {

@@ -1,15 +1,16 @@
 //! A lookup table with uneven breakpoints: the temperature of a thermistor from the counts of a 12-bit converter.
 //!
 //! The search and the interpolation are generic over the table's length; the table is a named constant in flash. A
-//! broken or shorted sensor gives no temperature in place of a wrong one.
+//! broken or shorted sensor gives no temperature rather than a wrong one.
 
 use bessemer::prelude::*;
 
-/// Counts of the converter, ascending: 10 kΩ at 25 °C with B = 3950 K, from the pin to ground, 10 kΩ to the reference.
+/// Counts of the converter, ascending. The thermistor has 10 kΩ at 25 °C and B = 3950 K, and is between the pin and
+/// ground; 10 kΩ are between the pin and the reference.
 #[data]
 pub static NTC_COUNTS: [f32; 10] =
     [160.2, 267.1, 461.7, 707.1, 1081.6, 1419.1, 1825.1, 2278.4, 2738.6, 3157.0];
-/// The temperature at each of these counts.
+/// The temperature at each of these counts, °C.
 #[data]
 #[unit("°C")]
 pub static NTC_TEMPERATURES: [f32; 10] =
@@ -20,7 +21,7 @@ pub const SHORTED: u16 = 100;
 /// More counts than this are a broken wire.
 pub const BROKEN: u16 = 4000;
 
-/// The value at a place of an ascending axis: linear between its points, flat beyond its ends.
+/// The value at `place` on an ascending axis: linear between the breakpoints, constant beyond the ends.
 #[function]
 pub fn interpolated<const N: usize>(axis: &[f32; N], values: &[f32; N], place: f32) -> f32 {
     let above = axis.partition_point(|point| *point <= place).clamp(1, N - 1);
@@ -29,7 +30,7 @@ pub fn interpolated<const N: usize>(axis: &[f32; N], values: &[f32; N], place: f
     values[below] + share.clamp(0.0, 1.0) * (values[above] - values[below])
 }
 
-/// The temperature, 0 to 120 °C; none where the sensor is broken or shorted.
+/// The temperature, 0 to 120 °C; `None` if the sensor is broken or shorted.
 #[function]
 #[unit("°C")]
 pub fn thermistor(counts: u16) -> Option<f32> {

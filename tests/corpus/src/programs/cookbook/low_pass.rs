@@ -1,11 +1,12 @@
-//! A biquad: Butterworth's low-pass of second order, designed on the target for any sample rate.
+//! A biquad filter: a second-order Butterworth low-pass, designed on the target for any sample rate.
 //!
-//! The coefficients come from the bilinear transform with the cutoff kept where it is (prewarping). The filter is in
-//! transposed direct form II, which rounds least in `f32`. Higher orders are several of them in a row.
+//! The coefficients come from the bilinear transform with prewarping, which keeps the cutoff exact. The filter is in
+//! transposed direct form II, which has small rounding errors in `f32`. Filters of higher order are several of them
+//! in series.
 
 use bessemer::prelude::*;
 
-/// `(b0 + b1/z + b2/z²) / (1 + a1/z + a2/z²)`.
+/// Coefficients of `(b0 + b1/z + b2/z²) / (1 + a1/z + a2/z²)`.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BiquadCoefficients {
@@ -15,7 +16,8 @@ pub struct BiquadCoefficients {
     pub a: [f32; 2],
 }
 
-/// Butterworth's low-pass of second order. The cutoff is kept between a thousandth and 0.45 of the sample rate.
+/// Designs a second-order Butterworth low-pass. The cutoff is limited to between a thousandth and 0.45 of the sample
+/// rate.
 #[function]
 pub fn butterworth(#[unit("Hz")] cutoff: f32, #[unit("Hz")] rate: f32) -> BiquadCoefficients {
     let share = (cutoff / rate).max(0.001).min(0.45);
@@ -30,7 +32,7 @@ pub fn butterworth(#[unit("Hz")] cutoff: f32, #[unit("Hz")] rate: f32) -> Biquad
     }
 }
 
-/// A filter of second order.
+/// State of a second-order filter.
 #[component]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BiquadFilter {
@@ -39,7 +41,7 @@ pub struct BiquadFilter {
 
 #[component]
 impl BiquadFilter {
-    /// One sample.
+    /// Filters one sample.
     #[entry(infallible)]
     pub fn step(&mut self, coefficients: &BiquadCoefficients, sample: f32) -> f32 {
         let [b0, b1, b2] = coefficients.b;
@@ -50,7 +52,7 @@ impl BiquadFilter {
         output
     }
 
-    /// Begins as if `sample` had always been there: no step when the filter is switched on.
+    /// Sets the state as if the input had always been `sample`, so that switching on causes no transient.
     #[entry(infallible)]
     pub fn preset(&mut self, coefficients: &BiquadCoefficients, sample: f32) {
         let [_, b1, b2] = coefficients.b;

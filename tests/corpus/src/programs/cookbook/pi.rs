@@ -1,8 +1,8 @@
 //! A PI controller with limits, anti-windup and bumpless transfer.
 //!
-//! At a limit the integral takes only what leads away from it (conditional integration), so that it never has to be
-//! unwound. No input makes it fault, and a measurement that is NaN gives the lower limit and leaves the integral as it
-//! was.
+//! While the output is at a limit, the integral changes only in the direction away from it (conditional integration),
+//! so it never winds up. No input is a fault; a measurement that is NaN gives the lower limit and leaves the integral
+//! unchanged.
 
 use bessemer::prelude::*;
 
@@ -27,7 +27,7 @@ pub struct PiParameters {
     pub high: f32,
 }
 
-/// Holds a speed.
+/// Controls a speed.
 #[component]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PiController {
@@ -38,7 +38,7 @@ pub struct PiController {
 
 #[component]
 impl PiController {
-    /// One control period: the voltage to apply.
+    /// One control period; returns the voltage to apply.
     #[entry(infallible)]
     #[unit("V")]
     pub fn step(
@@ -59,7 +59,7 @@ impl PiController {
         output
     }
 
-    /// Takes over from manual control: the next step begins at `output` where the error is 0.
+    /// Takes over from manual control: the next step's output is `output` if the error is 0.
     #[entry(infallible)]
     pub fn preset(&mut self, parameters: &PiParameters, #[unit("V")] output: f32) {
         self.integral = output.max(parameters.low).min(parameters.high);

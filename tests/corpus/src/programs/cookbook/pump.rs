@@ -1,26 +1,26 @@
-//! A state machine whose states carry what they need: a pump that is primed, runs, and is locked out when it runs dry.
+//! A state machine whose states carry their data: a pump that is primed, runs, and is locked out when it runs dry.
 //!
-//! One `match` says for each state what ends it; no timer outlives the state that it belongs to.
+//! One `match` has the transitions of each state; a timer exists only in the state that uses it.
 
 use bessemer::prelude::*;
 
-/// Milliseconds that priming takes.
+/// Duration of priming, ms.
 pub const PRIMING_MS: u16 = 3000;
-/// Milliseconds without flow after which a running pump is dry.
+/// Time without flow after which a running pump counts as dry, ms.
 pub const DRY_MS: u16 = 500;
 
 /// State of the pump.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum PumpState {
-    /// It stands still.
+    /// The pump is off.
     #[default]
     Off,
-    /// It fills the pipe, for so many milliseconds more.
+    /// The pump fills the pipe; `left` is the remaining time in ms.
     Priming { left: u16 },
-    /// It runs; milliseconds since flow was last seen.
+    /// The pump runs; `dry` is the time since the last flow in ms.
     Running { dry: u16 },
-    /// It ran dry, and stays off until that is acknowledged.
+    /// The pump ran dry, and is off until that is acknowledged.
     LockedOut,
 }
 
@@ -28,7 +28,7 @@ pub enum PumpState {
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PumpInputs {
-    /// True if it is to run.
+    /// True if the pump is to run.
     pub demand: bool,
     /// True if the flow switch is closed.
     pub flow: bool,
@@ -36,7 +36,7 @@ pub struct PumpInputs {
     pub acknowledge: bool,
 }
 
-/// Runs a pump.
+/// Controls a pump.
 #[component]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PumpControl {
@@ -45,7 +45,7 @@ pub struct PumpControl {
 
 #[component]
 impl PumpControl {
-    /// One period of 1 ms: whether the motor is on.
+    /// One period of 1 ms; returns true if the motor is on.
     #[entry(infallible)]
     pub fn step(&mut self, inputs: &PumpInputs) -> bool {
         self.state = match self.state {

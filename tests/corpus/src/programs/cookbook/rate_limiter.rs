@@ -1,4 +1,4 @@
-//! A rate limiter: a set point that moves no faster than what follows it can, up and down at rates of their own.
+//! A rate limiter: a setpoint that changes no faster than its follower can, with separate rates for rise and fall.
 
 use bessemer::prelude::*;
 
@@ -17,7 +17,7 @@ pub struct SlewLimits {
     pub period: f32,
 }
 
-/// Follows a set point at limited rates.
+/// Follows a setpoint at limited rates.
 #[component]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RateLimiter {
@@ -27,7 +27,8 @@ pub struct RateLimiter {
 
 #[component]
 impl RateLimiter {
-    /// One control period: the limited set point. It arrives exactly; a target that is NaN leaves it where it is.
+    /// One control period; returns the limited setpoint. It reaches the target exactly; a target that is NaN leaves
+    /// it unchanged.
     #[entry(infallible)]
     pub fn step(&mut self, limits: &SlewLimits, target: f32) -> f32 {
         let highest = self.output + limits.rise * limits.period;
@@ -42,7 +43,7 @@ impl RateLimiter {
         self.output
     }
 
-    /// Begins at a value, such as what is measured when the loop is closed.
+    /// Starts at a value, such as the measurement when the loop is closed.
     #[entry(infallible)]
     pub fn preset(&mut self, output: f32) {
         self.output = output;

@@ -1,5 +1,5 @@
-//! Arrays have their length in the type. They are copied as values; in the C that is a `memcpy`, or nothing
-//! where the copy dies at once.
+//! The type of an array includes its length. Arrays are copied as values; in the C that is a `memcpy`, or nothing if
+//! the copy is not used further.
 
 use bessemer::prelude::*;
 
@@ -12,7 +12,7 @@ pub struct Recent {
 
 #[component]
 impl Recent {
-    /// Takes a value in, gives those before it.
+    /// Adds a value and returns the four before it.
     #[entry(infallible)]
     pub fn push(&mut self, value: i32) -> [i32; 4] {
         let before = self.values;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The centre of four points.
+/// The mean of four points.
 #[function]
 pub fn centre(points: &[Vector2<f64>; 4]) -> Vector2<f64> {
     let mut sum = Vector2::zeros();

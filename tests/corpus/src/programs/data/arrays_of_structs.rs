@@ -2,17 +2,17 @@
 
 use bessemer::prelude::*;
 
-/// A set point and when it begins.
+/// A setpoint and the time from which it is valid.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Waypoint {
     /// Position, m.
     pub position: [f64; 2],
-    /// Begin, s.
+    /// Start of its validity, s.
     pub time: f64,
 }
 
-/// The last of the waypoints that has begun.
+/// The last waypoint whose time has come.
 #[function]
 pub fn current(plan: &[Waypoint; 4], time: f64) -> Waypoint {
     let mut found = plan[0];

@@ -11,13 +11,13 @@ pub struct Measured {
 
 #[component]
 impl Measured {
-    /// As many sensors and times as there are now; a fault if there is no room.
+    /// Sets the number of sensors and times; a fault if the capacity is exceeded.
     #[entry]
     pub fn resize(&mut self, sensors: usize, times: usize) {
         self.values.resize(sensors, times, 0.0);
     }
 
-    /// Keeps a value; a fault if there is no such sensor or time.
+    /// Stores a value; a fault if the sensor or time is out of range.
     #[entry]
     pub fn keep(&mut self, sensor: usize, time: usize, value: f64) {
         self.values[(sensor, time)] = value;
@@ -29,7 +29,7 @@ impl Measured {
         self.values * self.values.transpose()
     }
 
-    /// The largest of all, each limited first; a negative one ends the limiting.
+    /// Limits the values up to the first negative one, and returns the largest.
     #[entry]
     pub fn limited(&mut self, most: f64) -> f64 {
         for value in self.values.iter_mut() {

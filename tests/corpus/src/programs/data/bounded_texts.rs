@@ -1,4 +1,4 @@
-//! A `Text` is a bounded number of bytes, and their count.
+//! A `Text` is an array of bytes with a bounded length.
 
 use bessemer::prelude::*;
 
@@ -18,7 +18,7 @@ impl Default for LogChannel {
 
 #[component]
 impl LogChannel {
-    /// Another name; a fault if it is too long.
+    /// Changes the name; a fault if it is too long.
     #[entry]
     pub fn rename(&mut self, name: &Text<12>) {
         self.name.clear();
@@ -26,14 +26,14 @@ impl LogChannel {
         self.name.append(&letters[..name.len()]);
     }
 
-    /// Numbers the channel: `height2`.
+    /// Returns the name with a number, such as `height2`.
     #[entry]
     pub fn number(&mut self, number: u8) -> Text<8> {
         self.name.push(b'0' + number % 10);
         self.name
     }
 
-    /// Returns true if it is in the unit that it began with.
+    /// Returns true if the channel has its initial unit.
     #[entry]
     pub fn is_length(&mut self) -> bool {
         self.unit.is(b"m") || self.unit == Text::of(b"cm")

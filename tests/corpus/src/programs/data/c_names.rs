@@ -1,6 +1,6 @@
-//! `#[c(name)]` sets the C names of types, variants, fields, parameters and constants, as a
-//! firmware's convention requires; `#[c(section)]` sets the section of a table or a function.
-//! Methods, initialisers and variants follow their type's name, unless they have their own.
+//! `#[c(name)]` sets the C names of items, fields and parameters, as a firmware's convention requires.
+//! `#[c(section)]` sets the section of a table or a function. Methods, initialisers and variants follow their type's
+//! name, unless they have their own.
 
 use bessemer::prelude::*;
 
@@ -12,19 +12,19 @@ pub enum Order {
     #[default]
     #[c(name = "VALVE_HOLD")]
     Hold,
-    /// To a share of its way.
+    /// Move to a fraction of the opening.
     Move(#[c(name = "wanted")] f32),
-    /// As fast as it can.
+    /// Open or close as fast as possible.
     #[c(name = "VALVE_SLAM")]
     Slam { open: bool },
 }
 
-/// The flow at each eighth of the way, l/min.
+/// The flow at each eighth of the opening, l/min.
 #[data]
 #[c(name = "kValveFlow", section = ".rodata.curves")]
 static FLOW: [f32; 9] = [0.0, 0.5, 1.75, 3.5, 5.5, 7.25, 8.5, 9.25, 9.5];
 
-/// The share of the way that it moves in a period.
+/// Fraction of the opening that it moves in a period.
 #[data]
 #[c(name = "kValveStep")]
 const STEP: f32 = 0.125;
@@ -44,7 +44,7 @@ pub struct MotorValve {
 
 #[component]
 impl MotorValve {
-    /// One period: the flow that the curve shows, l/min.
+    /// One period; returns the flow according to the curve, l/min.
     #[entry]
     #[c(result = "pFlow")]
     pub fn step(#[c(name = "pThis")] &mut self, #[c(name = "pOrder")] order: Order) -> f32 {
@@ -61,7 +61,7 @@ impl MotorValve {
         FLOW[(self.position * 8.0) as usize]
     }
 
-    /// Returns true if it is closed.
+    /// Returns true if the valve is closed.
     #[entry(infallible)]
     pub fn closed(&self) -> bool {
         self.position <= 0.0

@@ -1,4 +1,4 @@
-//! Characters: their code points in the C.
+//! Characters; in the C they are code points.
 
 use bessemer::prelude::*;
 
@@ -6,7 +6,7 @@ use bessemer::prelude::*;
 const KEYS: [[char; 3]; 4] =
     [['1', '2', '3'], ['4', '5', '6'], ['7', '8', '9'], ['*', '0', '#']];
 
-/// The key at a place, if there is one.
+/// The key in a row and a column, if there is one.
 #[function]
 pub fn key(row: usize, column: usize) -> Option<char> {
     KEYS.get(row)?.get(column).copied()
@@ -26,7 +26,7 @@ pub fn class(code: u32) -> u8 {
     }
 }
 
-/// The value of a number in a base, as far as its bytes are digits.
+/// The value of a number in a base; it ends at the first byte that is not a digit.
 #[function]
 pub fn value(bytes: &[u8; 4], base: u8) -> u32 {
     let base = u32::from(base & 15) + 2;
@@ -38,24 +38,24 @@ pub fn value(bytes: &[u8; 4], base: u8) -> u32 {
     value
 }
 
-/// Returns true if it is a digit of base sixteen.
+/// Returns true for a hexadecimal digit.
 #[function]
 pub fn is_sixteenth(byte: u8) -> bool {
     char::from(byte).is_digit(16)
 }
 
-/// A digit, and back to its byte.
+/// The character of a digit's value.
 #[function]
 pub fn digit(value: u32) -> u8 {
     let shown = char::from_digit(value, 36).unwrap_or('?');
     if shown.is_ascii_lowercase() { shown.to_ascii_uppercase() as u8 } else { shown as u8 }
 }
 
-/// The last letter that was heard, and how often.
+/// The last letter received, and how often it was received in a row.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Listener {
-    /// The last.
+    /// The last letter received.
     pub last: Option<char>,
     /// Number of occurrences.
     pub count: u8,
@@ -63,7 +63,7 @@ pub struct Listener {
 
 #[component]
 impl Listener {
-    /// One byte.
+    /// Takes one byte.
     #[entry(infallible)]
     pub fn hear(&mut self, byte: u8) -> u32 {
         let letter = byte as char;

@@ -1,40 +1,40 @@
-//! Optional references to elements, to write them: in the C the chosen element is an index.
+//! Optional mutable references to elements: in the C the chosen element is an index.
 
 use bessemer::prelude::*;
 
-/// A transfer that waits.
+/// A pending transfer.
 #[data]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Transfer {
-    /// Whose it is.
+    /// Identifies the transfer.
     pub id: u8,
-    /// True if it is under way.
+    /// True if the transfer is in progress.
     pub busy: bool,
     /// Number of attempts.
     pub tries: u16,
 }
 
-/// All of them.
+/// All transfers.
 #[data]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Transfers {
-    /// In no order.
+    /// The transfers, in no particular order.
     pub all: [Transfer; 6],
 }
 
 #[data]
 impl Transfers {
-    /// The one with an id.
+    /// The transfer with an `id`.
     pub fn of(&mut self, id: u8) -> Option<&mut Transfer> {
         self.all.iter_mut().find(|it| it.busy && it.id == id)
     }
 
-    /// The one at a place.
+    /// The transfer at an index, or the number of transfers as an error.
     pub fn at(&mut self, index: usize) -> Result<&mut Transfer, u8> {
         self.all.get_mut(index).ok_or(3)
     }
 
-    /// The one that was tried most, or the first if none was tried often.
+    /// The transfer with most attempts; the first if none has many.
     pub fn worst(&mut self) -> &mut Transfer {
         let mut at = 0;
         for i in 1..self.all.len() {
@@ -48,7 +48,7 @@ impl Transfers {
         &mut self.all[at]
     }
 
-    /// The first that is under way, to be read.
+    /// The first transfer in progress.
     pub fn busy(&self) -> &Transfer {
         for transfer in &self.all {
             if transfer.busy {
@@ -58,7 +58,7 @@ impl Transfers {
         &self.all[0]
     }
 
-    /// One that is free, marked as under way.
+    /// A free transfer, marked as in progress.
     pub fn begun(&mut self, id: u8) -> Option<&mut Transfer> {
         let free = self.all.iter_mut().find(|it| !it.busy)?;
         free.busy = true;
@@ -67,7 +67,7 @@ impl Transfers {
     }
 }
 
-/// Tries a transfer again; whether it is there.
+/// Repeats a transfer; returns false if there is none with this `id`.
 #[function]
 pub fn try_again(transfers: &mut Transfers, id: u8) -> bool {
     match transfers.of(id) {
@@ -79,7 +79,7 @@ pub fn try_again(transfers: &mut Transfers, id: u8) -> bool {
     }
 }
 
-/// Begins one, or gives up the one that was tried least.
+/// Starts a transfer, or abandons the one with least attempts.
 #[function]
 pub fn begin(transfers: &mut Transfers, id: u8) -> u16 {
     if let Some(begun) = transfers.begun(id) {
@@ -93,7 +93,7 @@ pub fn begin(transfers: &mut Transfers, id: u8) -> u16 {
     })
 }
 
-/// Gives up the worst; how often it was tried.
+/// Abandons the transfer with most attempts; returns their number.
 #[function]
 pub fn give_up(transfers: &mut Transfers) -> u16 {
     let worst = transfers.worst();
@@ -103,7 +103,7 @@ pub fn give_up(transfers: &mut Transfers) -> u16 {
     tries
 }
 
-/// Marks the one under way that was tried most, the last of such; how often it was.
+/// Marks the transfer in progress with most attempts, the last of several; returns their number.
 #[function]
 pub fn mark(transfers: &mut Transfers, id: u8) -> u16 {
     let mut most: Option<&mut Transfer> = None;
@@ -118,14 +118,14 @@ pub fn mark(transfers: &mut Transfers, id: u8) -> u16 {
     })
 }
 
-/// Whose the first under way is, and how often it was tried.
+/// The `id` and the attempts of the first transfer in progress.
 #[function]
 pub fn first(transfers: &Transfers) -> (u8, u16) {
     let first = transfers.busy();
     (first.id, transfers.busy().tries)
 }
 
-/// Ends the one at a place.
+/// Ends the transfer at an index.
 #[function]
 pub fn end(transfers: &mut Transfers, index: usize) -> Result<u16, u8> {
     let ended = transfers.at(index)?;
@@ -133,7 +133,7 @@ pub fn end(transfers: &mut Transfers, index: usize) -> Result<u16, u8> {
     Ok(ended.tries)
 }
 
-/// Halves the last reading above a limit, with its number.
+/// Halves the last reading above a limit; returns its index.
 #[function]
 pub fn halve(readings: &mut [f32; 5], most: f32) -> usize {
     let mut high = readings.iter_mut().enumerate().filter(|it| *it.1 > most);
@@ -153,7 +153,7 @@ pub fn halve(readings: &mut [f32; 5], most: f32) -> usize {
     5
 }
 
-/// The largest of some values, found by its index: no check is left.
+/// The largest of some values, found by its index, without a check.
 #[function]
 pub fn largest(values: &[i32; 7]) -> i32 {
     let mut best = 0;
@@ -165,7 +165,7 @@ pub fn largest(values: &[i32; 7]) -> i32 {
     values[best]
 }
 
-/// A reading is set, in place.
+/// Sets a reading in place.
 #[function]
 pub fn set(readings: &mut [f32; 5], index: usize, to: f32) {
     *readings.get_mut(index).unwrap() = to;
@@ -184,7 +184,7 @@ pub struct Frame {
 
 #[data]
 impl Frame {
-    /// One more; how many there are, if there is no room.
+    /// Appends a byte; returns the length as an error if the frame is full.
     pub fn put(&mut self, byte: u8) -> Result<&mut Self, u8> {
         match self.bytes.get_mut(usize::from(self.length)) {
             Some(free) => *free = byte,
@@ -194,14 +194,14 @@ impl Frame {
         Ok(self)
     }
 
-    /// Two more.
+    /// Appends a word as two bytes.
     pub fn put_word(&mut self, word: u16) -> Result<&mut Self, u8> {
         let [high, low] = word.to_be_bytes();
         self.put(high)?.put(low)
     }
 }
 
-/// A command and its argument, and their sum.
+/// Appends a command, its argument and their checksum; returns the checksum.
 #[function]
 pub fn framed(frame: &mut Frame, command: u8, argument: u16) -> Result<u8, u8> {
     let filled = frame.put(command)?.put_word(argument)?;

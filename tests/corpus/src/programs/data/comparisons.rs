@@ -1,4 +1,4 @@
-//! `==` of structs, arrays and matrices compares part by part, floats as IEEE 754 has it.
+//! `==` of structs, arrays and matrices compares element by element; floats compare as in IEEE 754.
 
 use bessemer::prelude::*;
 
@@ -10,13 +10,13 @@ pub struct Target {
     pub land: bool,
 }
 
-/// Returns true if an order is a new one.
+/// Returns true if the target has changed.
 #[function]
 pub fn is_new(before: &Target, now: &Target) -> bool {
     before != now
 }
 
-/// Returns true if two plans are the same.
+/// Returns true if two plans are equal.
 #[function]
 pub fn same_plan(one: &[Target; 6], other: &[Target; 6]) -> bool {
     one == other

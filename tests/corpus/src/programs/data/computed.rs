@@ -10,11 +10,11 @@ const DAY: u32 = 24 * 3600;
 #[data]
 const SIXTH: f64 = -1.0 / 6.0;
 
-/// Remaining flags when one is not needed.
+/// A mask computed from another constant.
 #[data]
 const LEFT: u32 = 1 << 24 | (DAY & 0xFF);
 
-/// Shares of the three motors.
+/// Contribution of each of the three motors.
 #[data]
 const SHARES: [f64; 3] = [0.25 * -SIXTH; 3];
 
@@ -22,7 +22,7 @@ const SHARES: [f64; 3] = [0.25 * -SIXTH; 3];
 #[data]
 const LARGEST: i16 = i16::MAX;
 
-/// Proportional and derivative.
+/// Proportional and derivative gain.
 #[data]
 const GAINS: Gains = Gains::damped(2.0, -0.5);
 
@@ -40,7 +40,7 @@ impl Gains {
     }
 }
 
-/// All of them.
+/// Uses all constants.
 #[function]
 pub fn mixed(x: f64, step: i16) -> f64 {
     let time = (DAY ^ LEFT) as f64;

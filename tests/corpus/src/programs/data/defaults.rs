@@ -1,4 +1,4 @@
-//! `Default` is evaluated when the C is written: a constant.
+//! `Default` is evaluated when the C is generated, and becomes a constant.
 
 use bessemer::prelude::*;
 
@@ -6,7 +6,7 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Share of the new value, 0 to 1.
+    /// Weight of the new value, 0 to 1.
     pub share: f64,
     /// Values to wait for.
     pub count: u16,

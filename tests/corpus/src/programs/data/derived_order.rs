@@ -1,4 +1,4 @@
-//! A struct that derives `PartialOrd` is compared part by part, a newtype by its number.
+//! A struct that derives `PartialOrd` is compared field by field, a newtype by its number.
 
 use bessemer::prelude::*;
 
@@ -11,11 +11,11 @@ pub struct Height(pub f64);
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Version {
-    /// Not compatible with another.
+    /// Changes when compatibility breaks.
     pub major: u8,
-    /// Adds to the last.
+    /// Changes when functions are added.
     pub minor: u8,
-    /// Mends the last.
+    /// Changes when errors are corrected.
     pub patch: u16,
 }
 
@@ -23,10 +23,10 @@ pub struct Version {
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Source {
-    /// The pilot.
+    /// Sent by the pilot.
     #[default]
     Pilot,
-    /// The ground.
+    /// Sent by the ground station.
     Ground,
 }
 
@@ -34,21 +34,21 @@ pub enum Source {
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Key {
-    /// The pilot's before the ground's.
+    /// First criterion: the pilot's messages precede the ground's.
     pub source: Source,
-    /// Then by version.
+    /// Second criterion.
     pub version: Version,
-    /// Then by two numbers.
+    /// Third criterion.
     pub numbers: [i16; 2],
 }
 
-/// Returns true if it is too low, or the limit is none.
+/// Returns true if the height is below the limit, or the limit is negative.
 #[function]
 pub fn is_low(height: Height, limit: Height) -> bool {
     height < limit || !(limit >= Height(0.0))
 }
 
-/// The lower of three.
+/// The lowest of three heights.
 #[function]
 pub fn lowest(heights: [Height; 3]) -> Height {
     let mut least = heights[0];
@@ -60,13 +60,13 @@ pub fn lowest(heights: [Height; 3]) -> Height {
     least
 }
 
-/// Returns true if a message of one version is read by another.
+/// Returns true if a message of one version can be read by another.
 #[function]
 pub fn is_read(one: &Version, by: &Version) -> bool {
     one <= by && one.major == by.major
 }
 
-/// The newer of the two, and at least the first that flew.
+/// The newer of two versions, and at least the first that flew.
 #[function]
 pub fn newer(one: Version, other: Version) -> Version {
     let first = Version { major: 1, minor: 2, patch: 0 };
@@ -79,7 +79,7 @@ pub fn order(one: &Key, other: &Key) -> core::cmp::Ordering {
     one.cmp(other).reverse()
 }
 
-/// The messages in their order.
+/// The messages in order.
 #[function]
 pub fn sorted(keys: &[Key; 4]) -> [Key; 4] {
     let mut sorted = *keys;
@@ -87,13 +87,13 @@ pub fn sorted(keys: &[Key; 4]) -> [Key; 4] {
     sorted
 }
 
-/// The place of the last that is not behind `limit`.
+/// The index of the last message not after `limit`.
 #[function]
 pub fn place_of(keys: &[Key; 4], limit: Key) -> Option<usize> {
     keys.iter().rposition(|key| *key <= limit)
 }
 
-/// A NaN has no place.
+/// Compares two heights; `None` if one is a NaN.
 #[function]
 pub fn compared(one: Height, other: Height) -> Option<core::cmp::Ordering> {
     one.partial_cmp(&other)

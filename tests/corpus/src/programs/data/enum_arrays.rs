@@ -13,10 +13,10 @@ pub enum Way {
     West,
 }
 
-/// Steps east and north for each.
+/// Steps to the east and to the north for each direction.
 const STEPS: [[i32; 2]; 4] = [[0, 1], [1, 0], [0, -1], [-1, 0]];
 
-/// End of a path.
+/// The end point of a path.
 #[function]
 pub fn walked(path: &[Way; 5]) -> [i32; 2] {
     let mut place = [0, 0];

@@ -1,4 +1,4 @@
-//! `core::mem::swap` and `core::mem::replace` are assignments in the C.
+//! `core::mem::swap` and `core::mem::replace` become assignments in the C.
 
 use bessemer::prelude::*;
 use core::mem;
@@ -11,7 +11,7 @@ pub struct Limits {
     pub high: f64,
 }
 
-/// Puts the limits in their order.
+/// Swaps the limits if they are in the wrong order.
 #[function]
 pub fn put_in_order(limits: &mut Limits) {
     if limits.low > limits.high {
@@ -31,13 +31,13 @@ pub fn moved(last: &mut f64, now: f64) -> f64 {
     now - core::mem::replace(last, now)
 }
 
-/// Takes what was noted, and notes nothing.
+/// Returns the content of a note and leaves it empty.
 #[function]
 pub fn noted(note: &mut Option<Limits>) -> Option<Limits> {
     core::mem::replace(note, None)
 }
 
-/// Puts a sample where the oldest one stands, and gives that.
+/// Replaces the oldest sample by a new one and returns it.
 #[function]
 pub fn oldest(ring: &mut [f32; 4], count: usize, sample: f32) -> f32 {
     mem::replace(&mut ring[count % 4], sample)

@@ -1,5 +1,5 @@
-//! `insert`, `get_or_insert` and `as_mut` return a reference to an `Option`'s
-//! value: in the C it is a name for its place. `mem::take` leaves the default.
+//! `insert`, `get_or_insert` and `as_mut` return a reference to an `Option`'s content: in the C, the place of the
+//! content. `mem::take` leaves the default.
 
 use bessemer::prelude::*;
 
@@ -13,20 +13,20 @@ pub struct Smooth {
 
 #[data]
 impl Smooth {
-    /// Takes an input in.
+    /// Takes an input and returns the smoothed value.
     pub fn update(&mut self, input: f64) -> f64 {
         let state = self.state.get_or_insert(input);
         *state += 0.25 * (input - *state);
         *state
     }
 
-    /// Forgets what it was, and begins at this.
+    /// Restarts at an input.
     pub fn restart(&mut self, input: f64) -> f64 {
         *self.state.insert(input) + 1.0
     }
 }
 
-/// Counts up, if there is something to count.
+/// Increments the counter, if there is one.
 #[function]
 pub fn count(counter: &mut Option<u8>) -> bool {
     if let Some(count) = counter.as_mut() {
@@ -36,7 +36,7 @@ pub fn count(counter: &mut Option<u8>) -> bool {
     false
 }
 
-/// The length of a pulse, which begins with the first sample that is high.
+/// The duration of a pulse, which begins with the first high sample.
 #[function]
 pub fn pulse(start: &mut Option<u32>, now: u32, high: bool) -> u32 {
     if !high {
@@ -45,7 +45,7 @@ pub fn pulse(start: &mut Option<u32>, now: u32, high: bool) -> u32 {
     now.wrapping_sub(*start.get_or_insert_with(|| now))
 }
 
-/// The one of two sensors that answers, if the other is silent.
+/// The reading of the one sensor that responds, if the other does not.
 #[function]
 pub fn only(left: Option<f32>, right: Option<f32>) -> Option<f32> {
     left.xor(right)

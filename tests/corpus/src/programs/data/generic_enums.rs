@@ -1,14 +1,14 @@
-//! An enum may be generic, too: each instance is a tag and a union of its own.
+//! Enums may be generic; each instance is a tag and a union of its own.
 
 use bessemer::prelude::*;
 
-/// A value as it came: new, repeated, or not at all.
+/// A received value: new, repeated, or missing.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Received<T> {
-    /// For the first time.
+    /// Received for the first time.
     New(T),
-    /// Once more, so many periods later.
+    /// Received before: the value and its age in periods.
     Again { value: T, age: u32 },
     /// Nothing came.
     #[default]
@@ -17,7 +17,7 @@ pub enum Received<T> {
 
 #[data]
 impl<T: Real> Received<T> {
-    /// The value, or another if there is none.
+    /// The value, or `other` if nothing was received.
     pub fn value_or(&self, other: T) -> T {
         match self {
             Received::New(value) => *value,
@@ -27,7 +27,7 @@ impl<T: Real> Received<T> {
     }
 }
 
-/// The mean of two values that came, as far as they did.
+/// The mean of two received values; `otherwise` replaces a missing one.
 #[function]
 pub fn middle(low: &Received<f32>, high: &Received<f32>, otherwise: f32) -> f32 {
     (low.value_or(otherwise) + high.value_or(otherwise)) / 2.0

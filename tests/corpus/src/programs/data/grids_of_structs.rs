@@ -10,7 +10,7 @@ pub struct Square {
     pub seen: bool,
 }
 
-/// The highest cell that was seen, or 0.
+/// The highest known square, or 0.
 #[function]
 pub fn highest(map: &[[Square; 3]; 2]) -> f32 {
     let mut most = 0.0_f32;

@@ -1,4 +1,4 @@
-//! Ranges that are held: their two ends.
+//! Ranges as values: a struct of their two ends.
 
 pub use core::ops::{Range, RangeInclusive};
 
@@ -13,9 +13,9 @@ pub const PLAUSIBLE: RangeInclusive<f32> = -40.0..=125.0;
 pub struct Gauge {
     /// Accepted range.
     pub limits: RangeInclusive<f32>,
-    /// The samples of a period that count.
+    /// Numbers of the samples of a period that count.
     pub samples: Range<u16>,
-    /// The last that was believed.
+    /// The last accepted value.
     pub last: f32,
 }
 
@@ -27,7 +27,7 @@ impl Default for Gauge {
 
 #[component]
 impl Gauge {
-    /// One sample of a period.
+    /// Takes one sample of a period; returns its value if it is accepted.
     #[entry(infallible)]
     pub fn step(&mut self, number: u16, value: f32) -> Option<f32> {
         if !self.samples.contains(&number) || !self.limits.contains(&value) {
@@ -37,7 +37,7 @@ impl Gauge {
         Some((value - self.limits.start()) / (self.limits.end() - self.limits.start()))
     }
 
-    /// Other limits, unless there is nothing within.
+    /// Sets other limits; returns false if a range is empty.
     #[entry(infallible)]
     pub fn limit(&mut self, low: f32, high: f32, samples: Range<u16>) -> bool {
         let limits = RangeInclusive::new(low, high);

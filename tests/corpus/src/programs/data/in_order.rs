@@ -1,8 +1,8 @@
-//! `is_sorted` tells whether the elements of a slice stand in order.
+//! `is_sorted` returns whether the elements of a slice are in order.
 
 use bessemer::prelude::*;
 
-/// The breakpoints of a table, and how many of them there are.
+/// The breakpoints of a table, and their number.
 #[data]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Breakpoints {
@@ -12,14 +12,14 @@ pub struct Breakpoints {
     pub count: u8,
 }
 
-/// Returns true if a table can be looked up. Its breakpoints must be in order, and none may be NaN.
+/// Returns true if a table can be used. Its breakpoints must be in order, and none may be NaN.
 #[function]
 pub fn is_usable(table: &Breakpoints) -> bool {
     let count = usize::from(table.count).clamp(2, 6);
     table.at[..count].is_sorted()
 }
 
-/// Order of lists, of pairs, and of an array with one element.
+/// Tests the order of lists, of pairs, and of an array with one element.
 #[function]
 pub fn ordered(n: u8, pairs: &[(u8, f32); 3]) -> [bool; 3] {
     let mut list: List<u8, 4> = List::new();

@@ -10,7 +10,7 @@ pub struct Lowpass {
     pub share: f64,
     /// The smoothed value.
     pub value: f64,
-    /// True if a value was seen.
+    /// True after the first value.
     pub started: bool,
 }
 
@@ -22,7 +22,7 @@ impl Default for Lowpass {
 
 #[component]
 impl Lowpass {
-    /// Takes a value, gives the smoothed one.
+    /// Takes a value and returns the smoothed one.
     #[entry(infallible)]
     pub fn step(&mut self, value: f64) -> f64 {
         if !self.started {

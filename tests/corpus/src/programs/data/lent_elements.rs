@@ -3,7 +3,7 @@
 
 use bessemer::prelude::*;
 
-/// Adds to a counter, if there is one of that number: whether there was.
+/// Adds to a counter; returns false if there is none with this number.
 #[function]
 pub fn count(counters: &mut [u32; 6], number: usize, by: u32) -> bool {
     let Some(counter) = counters.get_mut(number) else { return false };
@@ -11,7 +11,7 @@ pub fn count(counters: &mut [u32; 6], number: usize, by: u32) -> bool {
     true
 }
 
-/// Halves what stands at both ends.
+/// Halves the first and the last element.
 #[function]
 fn halve_ends(values: &mut [f32]) {
     if let Some(first) = values.first_mut() {
@@ -22,14 +22,14 @@ fn halve_ends(values: &mut [f32]) {
     }
 }
 
-/// The values with the ends of those before `end` halved.
+/// The values with the ends of the part before `end` halved.
 #[function]
 pub fn tapered(mut values: [f32; 5], end: usize) -> [f32; 5] {
     halve_ends(&mut values[..end]);
     values
 }
 
-/// The sum of the later values less that of the earlier; a fault where there are fewer than `middle`.
+/// The sum of the later values minus the sum of the earlier ones; a fault if `middle` exceeds the length.
 #[function]
 pub fn balance(values: &[i16; 8], middle: usize) -> i32 {
     let (earlier, later) = values.split_at(middle);
@@ -67,7 +67,7 @@ fn above(values: &[f64]) -> f64 {
     }
 }
 
-/// The amount for the values from `start` on, without the last.
+/// That amount for the values from `start` on, without the last.
 #[function]
 pub fn above_from(values: &[f64; 6], start: usize) -> f64 {
     let Some((_, values)) = values.split_last() else { return 0.0 };

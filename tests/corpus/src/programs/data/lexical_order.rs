@@ -1,4 +1,4 @@
-//! Tuples and arrays are ordered by the first parts that differ; plain enums that derive an order have `cmp`, too.
+//! Tuples and arrays are ordered by their first differing elements; plain enums that derive an order have `cmp`, too.
 
 use bessemer::prelude::*;
 use core::cmp::Ordering;
@@ -7,12 +7,12 @@ use core::cmp::Ordering;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Urgency {
-    /// It may wait.
+    /// Can wait.
     #[default]
     Low,
-    /// It is next.
+    /// Is sent next.
     High,
-    /// It is now.
+    /// Is sent immediately.
     Alarm,
 }
 
@@ -24,7 +24,7 @@ pub struct Message {
     pub sequence: u16,
 }
 
-/// Returns true if a version of firmware is older.
+/// Returns true if a version is older than another.
 #[function]
 pub fn is_older(version: (u8, u8, u16), other: (u8, u8, u16)) -> bool {
     version < other
@@ -36,25 +36,25 @@ pub fn order(one: [u8; 3], other: [u8; 3]) -> Ordering {
     one.cmp(&other)
 }
 
-/// The most urgent first, and those that came first.
+/// Sorts by urgency, the most urgent first, and then by number.
 #[function]
 pub fn queue(messages: &mut [Message; 4]) {
     messages.sort_by(|a, b| b.urgency.cmp(&a.urgency).then(a.sequence.cmp(&b.sequence)));
 }
 
-/// By number, then by urgency.
+/// Sorts by number and then by urgency.
 #[function]
 pub fn archive(messages: &mut [Message; 4]) {
     messages.sort_by_key(|message| (message.sequence, message.urgency));
 }
 
-/// A point is before another from left to right, then upwards.
+/// Compares points: from left to right, and then upwards.
 #[function]
 pub fn before(one: (f64, f64), other: (f64, f64)) -> (bool, bool) {
     (one < other, one >= other)
 }
 
-/// A tuple that is matched by a name.
+/// A named value of a matched tuple.
 #[function]
 pub fn matched(row: u8, column: u8) -> u16 {
     match (row, column) {

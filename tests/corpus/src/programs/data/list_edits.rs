@@ -1,8 +1,8 @@
-//! Elements are put into a list and taken out of it at any place; those that are not kept make room.
+//! `insert`, `remove`, `swap_remove` and `retain` of lists.
 
 use bessemer::prelude::*;
 
-/// Jobs by their cost, the cheapest first.
+/// Inserts a job by its cost, the cheapest first.
 #[function]
 pub fn queued(jobs: &mut List<u8, 6>, cost: u8) -> usize {
     let at = jobs.iter().position(|job| *job > cost).unwrap_or(jobs.len());
@@ -10,7 +10,7 @@ pub fn queued(jobs: &mut List<u8, 6>, cost: u8) -> usize {
     at
 }
 
-/// Takes one out, and drops what is too dear.
+/// Removes the first job, and all that cost more than a limit.
 #[function]
 pub fn served(jobs: &mut List<u8, 6>, limit: u8) -> u8 {
     let first = jobs.remove(0);
@@ -27,7 +27,7 @@ pub fn message(sequence: u16, value: u32) -> List<u8, 6> {
     bytes
 }
 
-/// The last element in the place of another.
+/// Removes an element; the last one takes its place.
 #[function]
 pub fn without(list: &List<u8, 6>, at: usize) -> List<u8, 6> {
     let mut left = *list;

@@ -11,13 +11,13 @@ pub struct Lists {
 
 #[component]
 impl Lists {
-    /// Keeps a value; a fault if there is no room.
+    /// Appends a value; a fault if the list is full.
     #[entry]
     pub fn keep(&mut self, value: f64) {
         self.values.push(value);
     }
 
-    /// The mean of the values, or none.
+    /// The mean of the values; `None` if there are none.
     #[entry(infallible)]
     pub fn mean(&mut self) -> Option<f64> {
         let mut sum = 0.0;
@@ -27,7 +27,7 @@ impl Lists {
         if self.values.is_empty() { None } else { Some(sum / self.values.len() as f64) }
     }
 
-    /// The last value, taken off.
+    /// Removes and returns the last value.
     #[entry(infallible)]
     pub fn last(&mut self) -> Option<f64> {
         self.values.pop()

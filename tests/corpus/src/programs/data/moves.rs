@@ -1,4 +1,4 @@
-//! A value that is passed on is a copy: what happens to it afterwards does not reach the original.
+//! A value that is passed to a function is a copy: later changes of the copy do not affect the original.
 
 use bessemer::prelude::*;
 
@@ -19,7 +19,7 @@ pub fn swapped(mut two: Two) -> Two {
     two
 }
 
-/// The original next to its swapped copy.
+/// The original and its swapped copy.
 #[function]
 pub fn both(two: Two) -> [Two; 2] {
     [two, swapped(two)]

@@ -1,5 +1,5 @@
-//! `==` of what nests is a function in the C, one for each type. Floats compare as IEEE 754 has it: a NaN anywhere
-//! makes the whole unequal.
+//! `==` of nested types is a function in the C, one for each type. Floats compare as in IEEE 754: a NaN anywhere
+//! makes the values unequal.
 
 use bessemer::prelude::*;
 
@@ -13,7 +13,7 @@ pub enum AxisWish {
     Turn { to: f32, within: Option<u16> },
 }
 
-/// A point on the way.
+/// A point of a route.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RoutePoint {
@@ -21,7 +21,7 @@ pub struct RoutePoint {
     pub wish: AxisWish,
 }
 
-/// A way of three points.
+/// A route of three points.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Route {
@@ -30,7 +30,7 @@ pub struct Route {
     pub turned: UnitQuaternion<f64>,
 }
 
-/// Returns true if a new route is another one.
+/// Returns true if the new route differs from the old one.
 #[function]
 pub fn is_changed(old: &Route, new: &Route) -> bool {
     old != new
@@ -48,7 +48,7 @@ pub fn count(route: &Route, point: &RoutePoint) -> u32 {
     if route.home == Some(*point) { count + 1 } else { count }
 }
 
-/// Returns true if two lists of wishes are the same.
+/// Returns true if two lists of commands are equal.
 #[function]
 pub fn same_lists(one: &List<AxisWish, 3>, other: &List<AxisWish, 3>) -> bool {
     one == other

@@ -1,4 +1,4 @@
-//! Structs stand in structs by value.
+//! Structs contain other structs by value.
 
 use bessemer::prelude::*;
 
@@ -18,7 +18,7 @@ pub struct Servo {
     pub rate: Span,
 }
 
-/// The servo's limits, each widened by its part of `margin`.
+/// The servo's limits, each widened by the corresponding part of `margin`.
 #[function]
 pub fn widened(servo: &Servo, margin: &Span) -> Servo {
     let mut wide = *servo;

@@ -1,4 +1,4 @@
-//! A tuple struct is a struct whose parts are numbered; with one part, a newtype.
+//! A tuple struct is a struct with numbered fields; with one field it is a newtype.
 
 use bessemer::prelude::*;
 
@@ -7,17 +7,17 @@ use bessemer::prelude::*;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Metres(pub f64);
 
-/// A length, foot.
+/// A length, ft.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Feet(pub f64);
 
-/// A way and the time that it took, s.
+/// A distance and the time that it took, s.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Leg(pub Metres, pub f64);
 
-/// Conversion to metres.
+/// Converts a length to metres.
 #[function]
 pub fn metres(feet: Feet) -> Metres {
     Metres(feet.0 * 0.3048)

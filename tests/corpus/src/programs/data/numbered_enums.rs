@@ -8,29 +8,29 @@ use bessemer::prelude::*;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(u8)]
 pub enum Kind {
-    /// That the sender lives.
+    /// The sender is alive.
     #[default]
     Heartbeat = 1,
     /// Position.
     Position = 33,
-    /// Attitude, which follows.
+    /// Attitude; its number is one more than the previous.
     Attitude,
-    /// A command.
+    /// A command, with a constant as its number.
     Command = FIRST_COMMAND,
-    /// Nothing.
+    /// Empty frame.
     Nothing = 0,
 }
 
-/// The least number of a command.
+/// The lowest number of a command.
 pub const FIRST_COMMAND: u8 = 0x80;
 
-/// A number below zero is one of C's too.
+/// An enum with a negative number.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd)]
 pub enum Turn {
     /// To the left.
     Left = -1,
-    /// Straight on.
+    /// No turn.
     #[default]
     Straight,
     /// To the right.
@@ -45,17 +45,17 @@ pub struct Frame {
     pub kind: Kind,
     /// Kind of the expected answer, if any.
     pub answer: Option<Kind>,
-    /// The turns ahead.
+    /// The next turns.
     pub turns: [Turn; 2],
 }
 
-/// The byte on the wire.
+/// The number of a kind, as in the protocol.
 #[function]
 pub fn byte_of(kind: Kind) -> u8 {
     kind as u8
 }
 
-/// The kind of a byte.
+/// The kind with a number.
 #[function]
 pub fn kind_of(byte: u8) -> Option<Kind> {
     match byte {
@@ -77,19 +77,19 @@ pub fn length(kind: Kind) -> u32 {
     }
 }
 
-/// Returns true if the first goes out before the second.
+/// Returns true if the first kind is sent before the second.
 #[function]
 pub fn before(first: Kind, second: Kind) -> bool {
     first < second
 }
 
-/// The kinds as numbers of other types.
+/// The numbers of a kind and a turn in other types.
 #[function]
 pub fn numbers(kind: Kind, turn: Turn) -> (i8, i64, u16, usize) {
     (kind as i8, turn as i64, turn as u16, kind as usize)
 }
 
-/// The sum of the turns of a frame, plus one for each answer.
+/// The sum of the turns of a frame, plus one if it expects an answer.
 #[function]
 pub fn sum(frame: Frame) -> i32 {
     let mut sum = if frame.answer.is_some() { 1 } else { 0 };
@@ -99,14 +99,14 @@ pub fn sum(frame: Frame) -> i32 {
     sum
 }
 
-/// A frame of a kind that awaits none.
+/// A frame that expects no answer.
 #[function]
 pub fn silent(kind: Kind, right: bool) -> Frame {
     let turn = if right { Turn::Right } else { Turn::Left };
     Frame { kind, answer: None, turns: [turn, Turn::default()] }
 }
 
-/// Numbers of occurrences of each kind.
+/// Number of occurrences of each kind.
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statistics {
@@ -122,7 +122,7 @@ impl Default for Statistics {
 
 #[component]
 impl Statistics {
-    /// Counts a kind; no number is above 128, so that no check is left.
+    /// Counts a kind; its number is at most 128, so no check is needed.
     #[entry]
     pub fn count(&mut self, kind: Kind) -> u32 {
         self.last = kind;

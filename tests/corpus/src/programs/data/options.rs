@@ -1,21 +1,21 @@
-//! `Option` is a struct: whether there is a value, and the value (zero where there is none).
+//! `Option` is a struct: a flag for whether there is a value, and the value (zero if there is none).
 
 use bessemer::prelude::*;
 
-/// The slope of a line through two points; none if it stands upright.
+/// The slope of a line through two points; `None` if it is vertical.
 #[function]
 pub fn slope(from: [f64; 2], to: [f64; 2]) -> Option<f64> {
     let run = to[0] - from[0];
     if run == 0.0 { None } else { Some((to[1] - from[1]) / run) }
 }
 
-/// The slope, or a stand-in.
+/// The slope, or `other` if the line is vertical.
 #[function]
 pub fn slope_or(from: [f64; 2], to: [f64; 2], other: f64) -> f64 {
     slope(from, to).unwrap_or(other)
 }
 
-/// The better of two readings, as far as there are any.
+/// The larger of two readings that may be missing.
 #[function]
 pub fn better(one: Option<u8>, other: Option<u8>) -> Option<u8> {
     match (one, other) {

@@ -4,19 +4,19 @@ use core::cmp::Ordering;
 
 use bessemer::prelude::*;
 
-/// A task, and how urgent it is.
+/// A task with its urgency and deadline.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Task {
-    /// The least is first.
+    /// Priority; the lowest number is the most urgent.
     pub priority: u8,
-    /// When it is due, ms.
+    /// Deadline, ms.
     pub deadline: u32,
     /// Duration, s.
     pub effort: f32,
 }
 
-/// One step towards a position.
+/// Moves one step towards a target.
 #[function]
 pub fn towards(position: i16, target: i16) -> i16 {
     match position.cmp(&target) {
@@ -26,7 +26,7 @@ pub fn towards(position: i16, target: i16) -> i16 {
     }
 }
 
-/// Order of two tasks: the more urgent, then the due one, then the shorter.
+/// Order of two tasks: by priority, then by deadline, then by duration.
 #[function]
 pub fn first(one: &Task, other: &Task) -> Ordering {
     one.priority
@@ -35,7 +35,7 @@ pub fn first(one: &Task, other: &Task) -> Ordering {
         .then_with(|| one.effort.total_cmp(&other.effort))
 }
 
-/// The tasks in their order.
+/// The tasks in order.
 #[function]
 pub fn scheduled(tasks: &[Task; 4]) -> [Task; 4] {
     let mut sorted = *tasks;
@@ -43,7 +43,7 @@ pub fn scheduled(tasks: &[Task; 4]) -> [Task; 4] {
     sorted
 }
 
-/// Returns true if a reading is beyond a limit; a NaN is not.
+/// Returns true if a reading exceeds a limit; false for a NaN.
 #[function]
 pub fn is_beyond(reading: f64, limit: f64) -> bool {
     reading.partial_cmp(&limit).is_some_and(|order| order.is_gt())

@@ -1,19 +1,19 @@
-//! `==` of an author's own type: `PartialEq` is Rust's trait, marked as the type is. In the C it is a function, which
-//! `==` and `!=` call, also of what the type is part of.
+//! `==` of an author's type: an implementation of `PartialEq` with the attribute. In the C it is a function that `==`
+//! and `!=` call, also for types that contain it.
 
 use bessemer::prelude::*;
 
-/// An angle, rad; a turn more is the same.
+/// An angle, rad; angles that differ by whole turns are equal.
 #[data]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Bearing {
-    /// From north to east.
+    /// Angle from north towards east.
     pub radians: f32,
 }
 
 #[data]
 impl PartialEq for Bearing {
-    /// Returns true if they point the same way.
+    /// Returns true if both have the same direction.
     fn eq(&self, other: &Bearing) -> bool {
         difference(self, other) < 1.0e-3
     }
@@ -27,7 +27,7 @@ pub fn difference(one: &Bearing, other: &Bearing) -> f32 {
     apart.min(turn - apart)
 }
 
-/// Positions of a lever: all that drive nothing are equal.
+/// Positions of a lever; those that do not drive are equal.
 #[data]
 #[derive(Clone, Copy, Debug, Default)]
 pub enum Lever {
@@ -40,7 +40,7 @@ pub enum Lever {
 
 #[data]
 impl PartialEq for Lever {
-    /// Returns true if they drive the same way.
+    /// Returns true if both drive in the same direction.
     fn eq(&self, other: &Self) -> bool {
         self.direction() == other.direction()
     }
@@ -58,7 +58,7 @@ impl Lever {
     }
 }
 
-/// A leg of a voyage, compared part by part: by what each part says.
+/// A part of a voyage, compared field by field by each field's own `==`.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Heading {
@@ -68,25 +68,25 @@ pub struct Heading {
     pub next: Option<Lever>,
 }
 
-/// Returns true if a bearing is another.
+/// Returns true if the bearing has changed.
 #[function]
 pub fn is_new(now: Bearing, before: Bearing) -> bool {
     now != before
 }
 
-/// Returns true if two levers drive the same way.
+/// Returns true if two levers drive in the same direction.
 #[function]
 pub fn same_way(one: Lever, other: &Lever) -> bool {
     one == *other || one == Lever::Neutral && *other != Lever::Back
 }
 
-/// Returns true if two headings are the same.
+/// Returns true if two headings are equal.
 #[function]
 pub fn same_heading(one: &Heading, other: &Heading) -> bool {
     one == other
 }
 
-/// Index of a bearing that equals the wanted one.
+/// Index of the first bearing that equals `wanted`.
 #[function]
 pub fn place_of(bearings: &[Bearing; 3], wanted: &Bearing) -> Option<usize> {
     bearings.iter().position(|it| it == wanted)

@@ -1,4 +1,4 @@
-//! An enum with payload is a tag and a union: only the member that the tag names is ever read.
+//! An enum with payload is a tag and a union; only the member of the tag is ever read.
 
 use bessemer::prelude::*;
 
@@ -6,12 +6,12 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Command {
-    /// Nothing.
+    /// No drive.
     #[default]
     Coast,
-    /// A speed, rad/s.
+    /// Drive at a speed, rad/s.
     Speed(f64),
-    /// A place to go to.
+    /// Drive to a position.
     Position {
         /// Target angle, rad.
         angle: f64,
@@ -20,7 +20,7 @@ pub enum Command {
     },
 }
 
-/// The speed that a command asks for at an angle, rad/s.
+/// The speed for a command at an angle, rad/s.
 #[function]
 pub fn speed(command: &Command, angle: f64) -> f64 {
     match command {
@@ -32,13 +32,13 @@ pub fn speed(command: &Command, angle: f64) -> f64 {
     }
 }
 
-/// The command for a lever: a speed if it is far from its middle.
+/// The command for a lever: a speed if it is far from the middle.
 #[function]
 pub fn from_lever(lever: f64) -> Command {
     if lever.abs() > 0.1 { Command::Speed(10.0 * lever) } else { Command::Coast }
 }
 
-/// Slows a command down.
+/// Halves the speed of a command.
 #[function]
 pub fn slower(command: &mut Command) {
     match command {

@@ -1,4 +1,4 @@
-//! An enum without payloads is a C `enum`, its variants under the enum's name.
+//! An enum without payloads is a C `enum`; its variants have the enum's name as a prefix.
 
 use bessemer::prelude::*;
 

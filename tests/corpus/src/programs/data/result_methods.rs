@@ -1,4 +1,4 @@
-//! Methods of `Result` that take closures are the branches that they stand for.
+//! Methods of `Result` with closures become branches.
 
 use bessemer::prelude::*;
 
@@ -17,11 +17,11 @@ pub enum FrameError {
 pub enum LinkError {
     #[default]
     Silent,
-    /// The number of the frame.
+    /// A damaged frame: its number.
     Damaged(u8),
 }
 
-/// A value out of a frame.
+/// The value in a frame.
 #[function]
 pub fn value(frame: [u8; 4]) -> Result<u16, FrameError> {
     if frame[0] < 2 {
@@ -33,7 +33,7 @@ pub fn value(frame: [u8; 4]) -> Result<u16, FrameError> {
     Ok(u16::from_be_bytes([frame[1], frame[2]]))
 }
 
-/// The reading in volts, with errors of the link.
+/// The reading in volts, with its error converted to one of the link.
 #[function]
 pub fn volts(frame: [u8; 4]) -> Result<f32, LinkError> {
     value(frame).map(|raw| f32::from(raw) * 0.001).map_err(|error| match error {
@@ -42,14 +42,14 @@ pub fn volts(frame: [u8; 4]) -> Result<f32, LinkError> {
     })
 }
 
-/// The sum of the values of two frames, as far as both are whole and it fits.
+/// The sum of the values of two frames.
 #[function]
 pub fn total(one: [u8; 4], other: [u8; 4]) -> Result<u16, FrameError> {
     let one = value(one)?;
     value(other).and_then(|other| one.checked_add(other).ok_or_else(|| FrameError::Checksum))
 }
 
-/// The value, or a number for what is wrong.
+/// The value, or a number for the error.
 #[function]
 pub fn shown(frame: [u8; 4]) -> u16 {
     value(frame).unwrap_or_else(|error| match error {

@@ -1,19 +1,19 @@
-//! `Result` is a struct: whether there is a value, the value, and why there is none.
+//! `Result` is a struct: a flag for whether there is a value, the value, and the error.
 
 use bessemer::prelude::*;
 
-/// Why a frame is refused.
+/// Reason why a frame is refused.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Refused {
-    /// Too few bytes.
+    /// Too few bytes were received.
     #[default]
     Short,
-    /// The sum is another.
+    /// The checksum is wrong.
     Checksum,
 }
 
-/// The payload of a frame of which `len` bytes have come.
+/// The payload of a frame of which `len` bytes were received.
 #[function]
 pub fn payload(frame: &[u8; 3], len: u8) -> Result<u16, Refused> {
     if len < 3 {

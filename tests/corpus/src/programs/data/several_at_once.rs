@@ -1,4 +1,4 @@
-//! An assignment to several places computes every value before it writes the first.
+//! An assignment to several places evaluates every value before it writes the first.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A name may be used again; the C numbers the later ones where both are in reach.
+//! A name may be declared again; the C numbers the later variables if both are in scope.
 
 use bessemer::prelude::*;
 

@@ -1,21 +1,21 @@
-//! Elements that move within an array, its first and last ones, and parts as arrays.
+//! Elements that move within an array, its first and last elements, and slices converted to arrays.
 
 use bessemer::prelude::*;
 
-/// The samples of a filter, the newest first.
+/// Adds a sample to those of a filter, the newest first.
 #[function]
 pub fn record(samples: &mut [f32; 5], sample: f32) {
     samples.rotate_right(1);
     samples[0] = sample;
 }
 
-/// Drops what has been read from a buffer.
+/// Removes the bytes that have been read from a buffer.
 #[function]
 pub fn consume(buffer: &mut [u8; 8], read: usize) {
     buffer.copy_within(read.., 0);
 }
 
-/// Returns true if a sentence is one of the receiver's, and whole.
+/// Returns true if a text is a complete sentence of the receiver.
 #[function]
 pub fn is_sentence(text: &[u8; 12]) -> bool {
     text.starts_with(b"$GP") && text.ends_with(b"\r\n")
@@ -28,14 +28,14 @@ pub fn fields(frame: &[u8; 10]) -> (u32, i16) {
     (count, i16::from_be_bytes([frame[6], frame[7]]))
 }
 
-/// The number at a place, if the frame is that long.
+/// The big-endian number at a position; `None` if the frame is too short.
 #[function]
 pub fn field(frame: &List<u8, 16>, at: usize) -> Option<u32> {
     let bytes = frame.get(at..)?;
     bytes.first_chunk::<4>().map(|bytes| u32::from_le_bytes(*bytes))
 }
 
-/// A frame's number, of those in front of it, and whether its last two bytes are the sum of the others.
+/// The number at the front of a frame, and whether its last two bytes are the sum of the others.
 #[function]
 pub fn framed(frame: &List<u8, 12>) -> Option<(u16, bool)> {
     let (number, behind) = frame.split_first_chunk::<2>()?;
@@ -47,7 +47,7 @@ pub fn framed(frame: &List<u8, 12>) -> Option<(u16, bool)> {
     Some((u16::from_be_bytes(*number), sum == u16::from_be_bytes(*trailer)))
 }
 
-/// The last three of five, and how many stand before them.
+/// The last three of five samples, and the number of those before them.
 #[function]
 pub fn latest(samples: &[i16; 5]) -> ([i16; 3], usize) {
     match samples.split_last_chunk::<3>() {

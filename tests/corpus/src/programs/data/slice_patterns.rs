@@ -14,7 +14,7 @@ pub fn decoded(bytes: &[u8; 6]) -> (u8, u32) {
     (*code, sum)
 }
 
-/// The span of some values; none of no values.
+/// The span of some values; `None` if there are none.
 #[function]
 fn span_of(values: &[f32]) -> Option<f32> {
     match values {
@@ -30,7 +30,7 @@ pub fn span(values: &[f32; 4], end: usize) -> Option<f32> {
     span_of(&values[..end])
 }
 
-/// The largest of some values, and its place from the end.
+/// The largest of some values.
 #[function]
 fn largest(values: &[i16]) -> i16 {
     if let [first, middle @ .., last] = values {
@@ -49,7 +49,7 @@ pub fn largest_from(values: &[i16; 5], start: usize) -> i16 {
     largest(&values[start..])
 }
 
-/// The values behind the first, as an array of their own.
+/// The values after the first, as an array.
 #[function]
 pub fn tail(values: [i32; 4]) -> [i32; 3] {
     let [_, rest @ ..] = values;

@@ -1,9 +1,9 @@
-//! A function takes elements of any number as `&[T]`: in the C their address, and how many there are. Within a
-//! function a part of an array is the array itself; an index into it is checked against the part.
+//! A function takes any number of elements as `&[T]`: in the C, their address and their number. Within a function, a
+//! part of an array is the array itself; an index is checked against the part's length.
 
 use bessemer::prelude::*;
 
-/// The mean of some values; 0 of none.
+/// The mean of some values; 0 if there are none.
 #[function]
 pub fn mean(values: &[f64]) -> f64 {
     if values.is_empty() {
@@ -16,7 +16,7 @@ pub fn mean(values: &[f64]) -> f64 {
     sum / values.len() as f64
 }
 
-/// Makes the mean of some values zero.
+/// Subtracts the mean from some values.
 #[function]
 pub fn centre(values: &mut [f64]) {
     let mean = mean(values);
@@ -31,7 +31,7 @@ pub fn trend(values: &[f64; 8]) -> f64 {
     mean(&values[4..]) - mean(&values[..4])
 }
 
-/// The values from `from` on, four of them, without their mean: a fault where there are not so many.
+/// The sum of four values from `from` on, minus their mean; a fault if there are fewer.
 #[function]
 pub fn window(values: &[f64; 8], from: usize) -> f64 {
     let mut part = [0.0; 4];
@@ -40,7 +40,7 @@ pub fn window(values: &[f64; 8], from: usize) -> f64 {
     part[0].abs().max(part[3].abs())
 }
 
-/// The largest of those before `end`.
+/// The largest of the values before `end`.
 #[function]
 pub fn peak(values: &List<f64, 6>, end: usize) -> Option<f64> {
     let part = &values[..end];

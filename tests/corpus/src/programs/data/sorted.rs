@@ -1,19 +1,19 @@
-//! Arrays, lists and slices are sorted by insertion, in the simulation as in the C: equal
-//! elements keep their order. `total_cmp` orders floats, with NaN after all numbers.
+//! Arrays, lists and slices are sorted by insertion, in the simulation as in the C: equal elements keep their order.
+//! `total_cmp` orders floats, with NaN last.
 
 use bessemer::prelude::*;
 
-/// A change of outputs.
+/// A change of the outputs at a time.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Switching {
-    /// When, ticks.
+    /// Time, ticks.
     pub at: u16,
-    /// Mask of outputs.
+    /// Mask of the outputs that change.
     pub outputs: u8,
 }
 
-/// The middle of nine.
+/// The median of nine values.
 #[function]
 pub fn median(values: &[f64; 9]) -> f64 {
     let mut sorted = *values;
@@ -21,7 +21,7 @@ pub fn median(values: &[f64; 9]) -> f64 {
     sorted[4]
 }
 
-/// The middle of what there is.
+/// The median of a list; `None` if it is empty.
 #[function]
 pub fn middle(values: &List<u16, 8>) -> Option<u16> {
     let mut sorted = *values;
@@ -29,19 +29,19 @@ pub fn middle(values: &List<u16, 8>) -> Option<u16> {
     sorted.get(sorted.len() / 2).copied()
 }
 
-/// Puts changes in the order of time.
+/// Sorts changes by time.
 #[function]
 pub fn schedule(edges: &mut List<Switching, 5>) {
     edges.sort_by_key(|edge| edge.at);
 }
 
-/// Puts the latest first.
+/// Sorts changes by time, the latest first.
 #[function]
 pub fn latest_first(edges: &mut [Switching; 6]) {
     edges.sort_by(|one, other| other.at.cmp(&one.at));
 }
 
-/// Sorts all but the first, the greatest in front.
+/// Sorts all values but the first in descending order.
 #[function]
 pub fn downwards(values: &mut [f32; 5]) {
     values[1..].sort_unstable_by(|a, b| b.total_cmp(a));

@@ -17,7 +17,7 @@ pub fn below(steps: &[f64; 6], x: f64) -> usize {
     steps.partition_point(|step| *step < x)
 }
 
-/// The place of a code, or where it belongs.
+/// The index of a code, or where it could be inserted.
 #[function]
 pub fn place(codes: &[u8; 7], code: u8) -> Result<usize, usize> {
     codes.binary_search(&code)
@@ -30,7 +30,7 @@ pub fn value(points: &List<Point, 5>, code: u16) -> Option<f64> {
     Some(points[at].value)
 }
 
-/// The place of a number among floats.
+/// The index of the first float not below a number.
 #[function]
 pub fn nearest(sorted: &[f32; 5], x: f32) -> usize {
     match sorted.binary_search_by(|value| value.total_cmp(&x)) {

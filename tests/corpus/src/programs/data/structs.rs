@@ -1,4 +1,4 @@
-//! A struct is plain data: a `typedef` with the same fields, in the same order, under the same comments.
+//! A struct becomes a `typedef` with the same fields, in the same order, with the same comments.
 
 use bessemer::prelude::*;
 
@@ -10,11 +10,11 @@ pub struct Reading {
     pub height: f64,
     /// Time since start, ms.
     pub time: u32,
-    /// True if the echo came back.
+    /// True if the echo was received.
     pub valid: bool,
 }
 
-/// The mean height of two readings that are both valid, m; otherwise that of the later one.
+/// The mean height of two readings if both are valid, m; otherwise the later one's.
 #[function]
 pub fn merged(one: &Reading, other: &Reading) -> f64 {
     if one.valid && other.valid {

@@ -10,13 +10,13 @@ pub struct Channel {
     pub scale: f32,
 }
 
-/// The channel of the height.
+/// The channel for the height.
 #[function]
 pub fn height(scale: f32) -> Channel {
     Channel { name: *b"height", scale }
 }
 
-/// Returns true if a channel has that name.
+/// Returns true if a channel is the one for the height.
 #[function]
 pub fn is_height(channel: &Channel) -> bool {
     channel.name == *b"height"

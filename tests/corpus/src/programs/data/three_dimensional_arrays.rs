@@ -1,4 +1,4 @@
-//! So are those of three dimensions.
+//! Arrays of three dimensions are C arrays of three dimensions.
 
 use bessemer::prelude::*;
 

@@ -1,14 +1,14 @@
-//! Options of results and results of options, turned inside out.
+//! `transpose` between options of results and results of options.
 
 use bessemer::prelude::*;
 
-/// Why a reading is none.
+/// Reason why a reading is invalid.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Broken {
-    /// Above what the sensor shows.
+    /// Above the range of the sensor.
     Above,
-    /// Below.
+    /// Below the range of the sensor: the reading.
     Below(i16),
 }
 
@@ -22,20 +22,20 @@ pub fn checked(reading: i16) -> Result<i16, Broken> {
     }
 }
 
-/// A reading, if there is one, in range.
+/// Checks a reading that may be missing.
 #[function]
 pub fn perhaps(reading: Option<i16>) -> Result<Option<i16>, Broken> {
     let reading = reading.map(|reading| checked(reading)).transpose()?;
     Ok(reading.filter(|reading| *reading > 10))
 }
 
-/// A reading in range, or the reason why there is none.
+/// A valid reading, or the error; `None` if there is none.
 #[function]
 pub fn some(reading: Result<Option<i16>, Broken>) -> Option<Result<i16, Broken>> {
     reading.transpose()
 }
 
-/// The parts of a pair that may be missing.
+/// Both parts of an optional pair.
 #[function]
 pub fn parts(pair: Option<(u8, f32)>) -> (Option<u8>, Option<f32>) {
     pair.unzip()

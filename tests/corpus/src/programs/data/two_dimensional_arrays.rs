@@ -1,8 +1,8 @@
-//! Arrays of arrays are C arrays of as many dimensions.
+//! Arrays of arrays are C arrays of several dimensions.
 
 use bessemer::prelude::*;
 
-/// The four neighbours' mean, inside a map of heights.
+/// The mean of the four neighbours of a point inside a map of heights.
 #[function]
 pub fn smoothed(heights: &[[f32; 5]; 4], row: usize, column: usize) -> f32 {
     assert!(row >= 1 && row <= 2 && column >= 1 && column <= 3);

@@ -1,5 +1,5 @@
-//! The unit of a field, a parameter, a constant or a result is in the C comment, and
-//! in the report of `gen`; the range of a field or a parameter is in the comment, too.
+//! Units and ranges are in the C's comments. A field, a parameter, a constant or a result may have a unit, which is also
+//! in the report of `gen`; a field or a parameter may have a range.
 
 use bessemer::prelude::*;
 
@@ -38,7 +38,7 @@ pub struct AirDensity {
 
 #[component]
 impl AirDensity {
-    /// Takes a reading.
+    /// Takes a reading; returns the smoothed density.
     #[entry(infallible)]
     #[unit("kg/m³")]
     pub fn step(&mut self, reading: &Barometer, #[unit("1/s")] #[range(0..=50)] rate: f32, #[unit("s")] period: f32) -> f32 {

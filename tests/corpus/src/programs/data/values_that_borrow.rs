@@ -3,23 +3,23 @@
 
 use bessemer::prelude::*;
 
-/// A packet that is read from the front.
+/// Reads a packet from the front.
 #[data]
 #[derive(Clone, Copy, Debug)]
 pub struct Reader<'a> {
     rest: &'a [u8],
-    /// The part that was read last.
+    /// The bytes that were read last.
     last: &'a [u8],
 }
 
 #[data]
 impl<'a> Reader<'a> {
-    /// At the beginning.
+    /// Starts at the beginning of a packet.
     pub fn new(rest: &'a [u8]) -> Self {
         Self { rest, last: &[] }
     }
 
-    /// The next bytes, if there are so many.
+    /// The next `count` bytes; `None` if there are fewer.
     pub fn take(&mut self, count: usize) -> Option<&'a [u8]> {
         if count > self.rest.len() {
             return None;
@@ -36,7 +36,7 @@ impl<'a> Reader<'a> {
         Some(byte[0])
     }
 
-    /// The next number of two bytes.
+    /// The next two bytes as a number.
     pub fn word(&mut self) -> Option<u16> {
         match self.take(2)? {
             [high, low] => Some(u16::from(*high) << 8 | u16::from(*low)),
@@ -45,13 +45,13 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// A packet that was understood.
+/// A parsed packet.
 #[data]
 #[derive(Clone, Copy, Debug)]
 pub enum Packet<'a> {
     /// A word.
     Set(u16),
-    /// Bytes behind an address.
+    /// Bytes for an address.
     Load {
         /// Destination address.
         address: u8,
@@ -60,7 +60,7 @@ pub enum Packet<'a> {
     },
 }
 
-/// Parses a packet: `None` if it is too short, the kind if that is unknown.
+/// Parses a packet: `None` if it is too short, the kind as an error if that is unknown.
 #[function]
 pub fn understood(packet: &[u8]) -> Option<Result<Packet<'_>, u8>> {
     let mut reader = Reader::new(packet);
@@ -76,7 +76,7 @@ pub fn understood(packet: &[u8]) -> Option<Result<Packet<'_>, u8>> {
     })
 }
 
-/// A number for each packet of eight bytes: of its word, or of its bytes.
+/// A number for each packet of eight bytes: its word, or the sum of its bytes.
 #[function]
 pub fn outcome(packet: &[u8; 8]) -> u32 {
     match understood(packet) {
@@ -93,7 +93,7 @@ pub fn outcome(packet: &[u8; 8]) -> u32 {
     }
 }
 
-/// The outcome for a part of a longer packet.
+/// The outcome of a part of a longer packet.
 #[function]
 pub fn outcome_behind(packets: &[u8; 12], from: usize) -> u32 {
     match understood(&packets[from..]) {
@@ -109,7 +109,7 @@ pub fn halves(values: &[f64]) -> (&[f64], &[f64]) {
     values.split_at(values.len() / 2)
 }
 
-/// The numbers from the first to the last that are above a limit.
+/// The numbers from the first to the last that exceed a limit.
 #[function]
 pub fn above(mut values: &[f64], limit: f64) -> &[f64] {
     #[bound(64)]
@@ -129,7 +129,7 @@ pub fn above(mut values: &[f64], limit: f64) -> &[f64] {
     values
 }
 
-/// The later half's first number, and how many there are above half of it.
+/// The first number of the later half, and how many exceed half of it.
 #[function]
 pub fn seen(values: &[f64; 6]) -> (f64, usize) {
     let (early, late) = halves(values);
@@ -137,7 +137,7 @@ pub fn seen(values: &[f64; 6]) -> (f64, usize) {
     (late[0], longer.len())
 }
 
-/// Writes into an array of someone else's.
+/// Appends to a borrowed array.
 #[data]
 #[derive(Debug)]
 pub struct Writer<'b> {
@@ -147,7 +147,7 @@ pub struct Writer<'b> {
 
 #[data]
 impl<'b> Writer<'b> {
-    /// Appends some bytes: false where there is no room.
+    /// Appends some bytes; returns false if there is no room.
     pub fn put(&mut self, bytes: &[u8]) -> bool {
         if bytes.len() > self.buffer.len() - self.length {
             return false;
@@ -159,13 +159,13 @@ impl<'b> Writer<'b> {
         true
     }
 
-    /// All that was written.
+    /// The bytes written so far.
     pub fn finish(self) -> &'b [u8] {
         &self.buffer[..self.length]
     }
 }
 
-/// An answer to a packet: some of its bytes, behind how many there are.
+/// Writes the answer to a packet: a length and some of its bytes.
 #[function]
 pub fn answer(packet: &[u8; 4], room: &mut [u8; 6]) -> u32 {
     let mut writer = Writer { buffer: room, length: 0 };
@@ -188,7 +188,7 @@ pub struct Gains {
     pub integral: f64,
 }
 
-/// A loop with the gains of someone else.
+/// A control loop with borrowed gains.
 #[data]
 #[derive(Clone, Copy, Debug)]
 pub struct Loop<'g> {
@@ -204,7 +204,7 @@ impl Loop<'_> {
     }
 }
 
-/// Two loops in a row, of which the second has other gains half of the time.
+/// A cascade of two loops; the second alternates between two sets of gains.
 #[function]
 pub fn cascade(outer: &Gains, inner: &Gains, error: f64) -> f64 {
     let mut first = Loop { gains: outer, sum: 0.0 };
@@ -216,7 +216,7 @@ pub fn cascade(outer: &Gains, inner: &Gains, error: f64) -> f64 {
     first.respond(rate) + before.integral
 }
 
-/// Measurements, the newest of which are given out.
+/// Stores measurements.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Store {
@@ -231,7 +231,7 @@ impl Store {
         &self.values[..self.count.min(4)]
     }
 
-    /// Keeps one; the most that was kept.
+    /// Stores a measurement; returns the largest one stored.
     #[entry]
     pub fn step(&mut self, value: f64) -> f64 {
         if self.count < 4 {

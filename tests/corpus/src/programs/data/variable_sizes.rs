@@ -1,4 +1,4 @@
-//! Vectors and matrices with a largest size, each dimension fixed or variable.
+//! Vectors and matrices with a maximum size; each dimension is fixed or variable.
 
 use bessemer::prelude::*;
 
@@ -6,17 +6,17 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Scan {
-    /// At most five.
+    /// At most five ranges.
     pub ranges: List<f32, 5>,
-    /// Three by at most four: points, one behind the other.
+    /// At most four points of three coordinates.
     pub points: List<Vector3<f32>, 4>,
-    /// At most two by at most three.
+    /// A matrix of at most two by three.
     pub hits: BoundedMatrix<u8, 2, 3>,
-    /// Two by three.
+    /// A matrix of two by three.
     pub grid: SMatrix<f32, 2, 3>,
 }
 
-/// Keeps what a beam saw; a fault if there is no room.
+/// Stores the results of a beam; a fault if there is no room.
 #[function]
 pub fn seen(scan: &mut Scan, point: &Vector3<f32>, hits: &[u8; 2]) {
     scan.ranges.push(point.norm());

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The last value that came.
+/// Stores the last value.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Absent {
@@ -11,7 +11,7 @@ pub struct Absent {
 
 #[component]
 impl Absent {
-    /// Returns the previous value and stores the next one.
+    /// Returns the previous value and stores the next one; a fault if there is none.
     #[entry]
     pub fn delayed(&mut self, next: Option<f64>) -> f64 {
         let before = self.last;

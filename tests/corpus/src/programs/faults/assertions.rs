@@ -1,8 +1,8 @@
-//! `assert!` states what a caller has to keep; its message is for the simulation.
+//! `assert!` states a condition that callers must satisfy; its message is for the simulation.
 
 use bessemer::prelude::*;
 
-/// The share of a part in a whole.
+/// The ratio of a part to the whole.
 #[function]
 pub fn share(part: f64, whole: f64) -> f64 {
     assert!(whole > 0.0, "the whole must be positive");

@@ -1,4 +1,4 @@
-//! An entry point that rolls back: after a fault everything is as it was, and the next call goes on.
+//! An entry point that rolls back: after a fault the state is as before the call, and further calls are possible.
 
 use bessemer::prelude::*;
 
@@ -12,7 +12,7 @@ pub struct Tanks {
 
 #[component]
 impl Tanks {
-    /// Moves `amount` to the tank `to`, which may overflow: then nothing was moved.
+    /// Moves `amount` to the tank `to`; if that tank would overflow, nothing is moved.
     #[entry(atomic)]
     pub fn transfer(&mut self, to: usize, amount: u8, log: &mut u8) -> u8 {
         self.transfers += 1;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Steps of Collatz' sequence down to 1.
+/// Number of steps of the Collatz sequence down to 1.
 #[function]
 pub fn steps(n: u16) -> u32 {
     let mut value = u64::from(n);

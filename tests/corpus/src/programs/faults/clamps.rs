@@ -1,8 +1,8 @@
-//! `clamp` with its limits the wrong way round is a fault.
+//! `clamp` with limits in the wrong order is a fault.
 
 use bessemer::prelude::*;
 
-/// A value within limits that someone else sets.
+/// A value within limits that the caller sets.
 #[function]
 pub fn within(value: f64, low: f64, high: f64) -> f64 {
     value.clamp(low, high)

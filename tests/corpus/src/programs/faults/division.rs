@@ -1,14 +1,14 @@
-//! A division by zero, or of the smallest number by −1, is a fault.
+//! A division by zero, or of the lowest number by −1, is a fault.
 
 use bessemer::prelude::*;
 
-/// Parts per period.
+/// Count per period.
 #[function]
 pub fn rate(count: i32, period: i32) -> i32 {
     count / period
 }
 
-/// The divisor is at least 1: no check is left.
+/// The divisor is at least 1, so no check is needed.
 #[function]
 pub fn safe_rate(count: u32, period: u32) -> u32 {
     count / period.max(1)

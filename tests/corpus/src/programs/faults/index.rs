@@ -2,19 +2,19 @@
 
 use bessemer::prelude::*;
 
-/// An element that someone else names: a check is left.
+/// An element at the caller's index, which needs a check.
 #[function]
 pub fn element(table: &[f64; 4], at: usize) -> f64 {
     table[at]
 }
 
-/// Guarded: no check is left.
+/// An element at a compared index, which needs no check.
 #[function]
 pub fn guarded(table: &[f64; 4], at: usize) -> f64 {
     if at < 4 { table[at] } else { 0.0 }
 }
 
-/// Masked: no check is left.
+/// An element at a masked index, which needs no check.
 #[function]
 pub fn masked(table: &[f64; 4], at: usize) -> f64 {
     table[at % 4]

@@ -1,8 +1,9 @@
-//! Effects before a fault stay; nothing after it happens. A component that has faulted stays so until `init`.
+//! Effects before a fault remain; nothing is executed after it. A component in the fault state stays in it until
+//! `init`.
 
 use bessemer::prelude::*;
 
-/// A ring of measurements.
+/// A ring buffer of measurements.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ring {
@@ -13,7 +14,7 @@ pub struct Ring {
 
 #[component]
 impl Ring {
-    /// Takes a value into the slot that the caller skips to.
+    /// Stores a value at a position relative to the last.
     #[entry]
     pub fn take(&mut self, value: f32, skip: usize) -> u8 {
         self.taken += 1;

@@ -1,4 +1,4 @@
-//! The C reports a fault where Rust panics on overflow, also for the negative of the smallest number.
+//! The C reports a fault where Rust panics on overflow, also for the negative of the lowest number.
 
 use bessemer::prelude::*;
 

@@ -1,8 +1,8 @@
-//! `panic!`, `unreachable!` and `todo!` are faults, as a failed assertion is; the message stays in the Rust.
+//! `panic!`, `unreachable!` and `todo!` are faults, as a failed assertion is; their messages are not in the C.
 
 use bessemer::prelude::*;
 
-/// The period of a timer's prescaler, in clocks.
+/// The period of a timer for its prescaler setting, in clocks.
 #[function]
 pub fn period(prescaler: u8) -> u32 {
     match prescaler {
@@ -14,7 +14,7 @@ pub fn period(prescaler: u8) -> u32 {
     }
 }
 
-/// The larger of two; equal ones are not expected.
+/// The larger of two numbers that must differ.
 #[function]
 pub fn larger(a: i32, b: i32) -> i32 {
     if a == b {

@@ -1,4 +1,4 @@
-//! A number that is no variant of an enum is a fault of the entry point that it is passed to.
+//! A number that is not a variant of the enum is a fault of the entry point that gets it.
 
 use bessemer::prelude::*;
 
@@ -12,7 +12,7 @@ pub enum Wish {
     Sink,
 }
 
-/// Follows the pilot.
+/// Executes the pilot's commands.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Follower {

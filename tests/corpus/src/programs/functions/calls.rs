@@ -1,4 +1,4 @@
-//! Functions call each other; small ones are left to the C compiler to inline. Recursion is refused.
+//! Functions call each other; small ones are inlined by the C compiler. Recursion is an error.
 
 use bessemer::prelude::*;
 
@@ -14,13 +14,13 @@ pub fn sign(x: f64) -> f64 {
     }
 }
 
-/// A number whose size is cut off.
+/// A number reduced in magnitude by `width`, and 0 within it.
 #[function]
 pub fn dead_band(x: f64, width: f64) -> f64 {
     sign(x) * (x.abs() - width).max(0.0)
 }
 
-/// A stick's deflection, dead in the middle and progressive outside.
+/// A stick's deflection with a dead band in the middle and a progressive curve outside.
 #[function]
 pub fn deflection(x: f64) -> f64 {
     let y = dead_band(x, 0.05);

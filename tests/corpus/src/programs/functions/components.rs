@@ -1,8 +1,8 @@
-//! A component has state, entry points, and methods of its own that are `static` in the C.
+//! A component has state, entry points, and private methods, which are `static` in the C.
 
 use bessemer::prelude::*;
 
-/// Tells whether a contact is closed, once it has been stable.
+/// Debounces a contact.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contact {
@@ -12,10 +12,10 @@ pub struct Contact {
 
 #[component]
 impl Contact {
-    /// Number of samples that must agree.
+    /// Number of equal samples for a change.
     const STABLE: u8 = 3;
 
-    /// One sample of the pin.
+    /// Takes one sample of the pin; returns the debounced level.
     #[entry(infallible)]
     pub fn sample(&mut self, level: bool) -> bool {
         self.count(level);
@@ -26,7 +26,7 @@ impl Contact {
         self.closed
     }
 
-    /// Forgets what was seen.
+    /// Restarts at a level.
     #[entry(infallible)]
     pub fn reset(&mut self, closed: bool) {
         self.closed = closed;

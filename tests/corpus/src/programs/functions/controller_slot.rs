@@ -1,31 +1,31 @@
-//! An interface is a trait. A component with a slot for whatever implements it becomes C for each choice;
-//! which function is called is decided when the C is written.
+//! An interface is a trait. A component with a type parameter for an implementation becomes C for each choice; calls
+//! are resolved when the C is generated.
 
 use bessemer::prelude::*;
 
-/// Controllers that close a loop.
+/// Controllers for a loop.
 #[interface]
 pub trait Controller {
     /// The largest command.
     const LIMIT: f64;
 
-    /// One period: what to command.
+    /// One period; returns the command.
     fn step(&mut self, error: f64) -> f64;
 
-    /// Forgets what was.
+    /// Resets the state.
     fn reset(&mut self) {}
 
-    /// One step within the limits.
+    /// One period, with the command limited.
     fn limited(&mut self, error: f64) -> f64 {
         self.step(error).clamp(-Self::LIMIT, Self::LIMIT)
     }
 }
 
-/// A gain.
+/// A proportional controller.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Gain {
-    /// By which an error is multiplied.
+    /// Factor of the error.
     pub gain: f64,
 }
 
@@ -38,7 +38,7 @@ impl Controller for Gain {
     }
 }
 
-/// An integrator.
+/// An integrating controller.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Integrator {
@@ -59,7 +59,7 @@ impl Controller for Integrator {
     }
 }
 
-/// A loop around any controller.
+/// A loop with any controller.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Loop<C> {
@@ -69,7 +69,7 @@ pub struct Loop<C> {
 
 #[component]
 impl<C: Controller> Loop<C> {
-    /// One period.
+    /// One period; returns the command.
     #[entry(infallible)]
     pub fn step(&mut self, target: f64, measured: f64, reset: bool) -> f64 {
         if reset {
@@ -79,10 +79,10 @@ impl<C: Controller> Loop<C> {
     }
 }
 
-/// A loop that a gain closes.
+/// A loop with a proportional controller.
 #[component]
 pub type GainLoop = Loop<Gain>;
 
-/// A loop that an integrator closes.
+/// A loop with an integrating controller.
 #[component]
 pub type IntegratorLoop = Loop<Integrator>;

@@ -1,14 +1,14 @@
-//! A function that the firmware brings in C, with a stand-in of Rust for the simulation.
+//! A function that the firmware provides in C, with a replacement in Rust for the simulation.
 
 use bessemer::prelude::*;
 
-/// The temperature of a reading, °C, as the vendor's library has it.
+/// The temperature of a reading, °C, computed by the vendor's library.
 #[external(header = "sensor.h", name = "sensor_linear")]
 pub fn linear(raw: u16) -> f32 {
     f32::from(raw) * 0.01 - 5.0
 }
 
-/// From the sensor's axes to the body's.
+/// Transforms a reading from the sensor's axes to the body's.
 #[external(header = "sensor.h")]
 pub fn sensor_axes(raw: &[f32; 3], scale: f32, axes: &mut [f32; 3]) {
     axes[0] = raw[1] * scale;

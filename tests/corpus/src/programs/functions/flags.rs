@@ -1,4 +1,4 @@
-//! A set of flags in a word: the operators of bits, `!` and `%` of an author's own types.
+//! A set of flags in a word: bit operators, `!` and `%` of an author's types.
 
 use bessemer::prelude::*;
 use core::ops::{BitAnd, BitAndAssign, BitOr, BitOrAssign, BitXor, Not, Rem, RemAssign, Shl, ShrAssign};
@@ -10,19 +10,19 @@ pub struct Faults(pub u16);
 
 #[data]
 impl Faults {
-    /// It does not answer.
+    /// The sensor does not respond.
     pub const SILENT: Faults = Faults(1 << 0);
-    /// Its values don't move.
+    /// The sensor's values do not change.
     pub const STUCK: Faults = Faults(1 << 1);
-    /// Its values are out of range.
+    /// The sensor's values are out of range.
     pub const RANGE: Faults = Faults(1 << 2);
 
-    /// Returns true if all of `others` are there.
+    /// Returns true if all of `others` are set.
     pub fn contains(self, others: Faults) -> bool {
         self & others == others
     }
 
-    /// Notes them, or takes them back.
+    /// Sets or clears flags.
     pub fn set(&mut self, others: Faults, there: bool) {
         if there {
             *self |= others;
@@ -36,7 +36,7 @@ impl Faults {
 impl BitOr for Faults {
     type Output = Self;
 
-    /// Faults of either.
+    /// The flags that are set in at least one of the two.
     fn bitor(self, other: Self) -> Self {
         Faults(self.0 | other.0)
     }
@@ -46,7 +46,7 @@ impl BitOr for Faults {
 impl BitAnd for Faults {
     type Output = Self;
 
-    /// Faults of both.
+    /// The flags that are set in both.
     fn bitand(self, other: Self) -> Self {
         Faults(self.0 & other.0)
     }
@@ -56,7 +56,7 @@ impl BitAnd for Faults {
 impl BitXor for Faults {
     type Output = Self;
 
-    /// Faults of exactly one.
+    /// The flags that are set in exactly one of the two.
     fn bitxor(self, other: Self) -> Self {
         Faults(self.0 ^ other.0)
     }
@@ -66,7 +66,7 @@ impl BitXor for Faults {
 impl Not for Faults {
     type Output = Self;
 
-    /// All others.
+    /// The flags that are not set.
     fn not(self) -> Self {
         Faults(!self.0)
     }
@@ -74,7 +74,7 @@ impl Not for Faults {
 
 #[data]
 impl BitOrAssign for Faults {
-    /// Adds some.
+    /// Sets further flags.
     fn bitor_assign(&mut self, other: Self) {
         self.0 |= other.0;
     }
@@ -82,7 +82,7 @@ impl BitOrAssign for Faults {
 
 #[data]
 impl BitAndAssign for Faults {
-    /// Leaves those that are in both.
+    /// Clears the flags that `other` does not have.
     fn bitand_assign(&mut self, other: Self) {
         self.0 &= other.0;
     }
@@ -92,7 +92,7 @@ impl BitAndAssign for Faults {
 impl Shl<u32> for Faults {
     type Output = Self;
 
-    /// Makes room for those of another sensor.
+    /// Shifts the flags up to make room for those of another sensor.
     fn shl(self, places: u32) -> Self {
         Faults(self.0 << places)
     }
@@ -100,13 +100,13 @@ impl Shl<u32> for Faults {
 
 #[data]
 impl ShrAssign<u32> for Faults {
-    /// Goes on to those of the next sensor.
+    /// Shifts the flags down to those of the next sensor.
     fn shr_assign(&mut self, places: u32) {
         self.0 >>= places;
     }
 }
 
-/// An angle, a 65536th of a turn each.
+/// An angle in units of 1/65536 turn.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Angle(pub i32);
@@ -115,7 +115,7 @@ pub struct Angle(pub i32);
 impl Rem for Angle {
     type Output = Self;
 
-    /// Remainder.
+    /// The remainder of a division by an angle.
     fn rem(self, part: Self) -> Self {
         Angle(self.0 % part.0)
     }
@@ -123,13 +123,13 @@ impl Rem for Angle {
 
 #[data]
 impl RemAssign<i32> for Angle {
-    /// Leaves what is left of it.
+    /// Replaces the angle by its remainder.
     fn rem_assign(&mut self, part: i32) {
         self.0 %= part;
     }
 }
 
-/// Changes between two samples without masked ones; of two sensors.
+/// The unmasked flags that changed between two samples.
 #[function]
 pub fn changed(before: Faults, now: Faults, asked: Faults) -> Faults {
     let quiet = !asked;
@@ -146,7 +146,7 @@ pub fn second(all: Faults, silent: bool) -> Faults {
     if !faults.contains(Faults::RANGE) && !silent { faults } else { faults | Faults::RANGE }
 }
 
-/// Within a sector, and that within its half.
+/// The angle within a sector, and that within half of it.
 #[function]
 pub fn within(angle: Angle, sector: Angle) -> Angle {
     let mut rest = angle % sector;
@@ -154,7 +154,7 @@ pub fn within(angle: Angle, sector: Angle) -> Angle {
     rest
 }
 
-/// Numbers have these from Rust, also where their type shows late.
+/// Bit operators of numbers remain Rust's, even if rustc infers the type later.
 #[function]
 pub fn mixed(word: u16, places: u8) -> u32 {
     let mut sum = 0;

@@ -3,7 +3,7 @@
 
 use bessemer::prelude::*;
 
-/// A controller with two terms.
+/// A PI controller.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pi<T> {
@@ -13,10 +13,10 @@ pub struct Pi<T> {
 
 #[component]
 impl<T: Real> Pi<T> {
-    /// The share of the integral.
+    /// Gain of the integral.
     const GAIN: f64 = 0.1;
 
-    /// One period: what to command.
+    /// One period; returns the command.
     #[entry(infallible)]
     pub fn step(&mut self, error: T, period: T) -> T {
         self.integral = (self.integral + error * period).clamp(-T::ONE, T::ONE);
@@ -44,7 +44,7 @@ impl<T: Real, const N: usize> Default for Delay<T, N> {
 
 #[component]
 impl<T: Real, const N: usize> Delay<T, N> {
-    /// Takes a value in, and gives that of `N` periods ago.
+    /// Adds a value and returns that of `N` periods ago.
     #[entry]
     pub fn push(&mut self, value: T) -> T {
         let old = self.line[self.oldest];

@@ -1,10 +1,11 @@
-//! Operators and conversions of a generic type: each instance has its own in the C, named for what it takes.
+//! Operators and conversions of a generic type: each instance has its own functions in the C, named after their
+//! types.
 
 use core::ops::{Add, AddAssign, Mul, Neg};
 
 use bessemer::prelude::*;
 
-/// A number with two parts.
+/// A number with a real and an imaginary part.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Complex<T> {
@@ -65,7 +66,7 @@ impl<T: Real> From<T> for Complex<T> {
     }
 }
 
-/// A polynomial by Horner's rule, of any float.
+/// Evaluates a polynomial by Horner's rule, for any float.
 #[function]
 pub fn polynomial<T: Real, const N: usize>(coefficients: &[T; N], z: Complex<T>) -> Complex<T> {
     let mut sum = Complex::from(T::ZERO);
@@ -75,7 +76,7 @@ pub fn polynomial<T: Real, const N: usize>(coefficients: &[T; N], z: Complex<T>)
     sum
 }
 
-/// In double precision.
+/// Uses it in double precision.
 #[function]
 pub fn response(re: f64, im: f64) -> Complex<f64> {
     let z = Complex { re, im };
@@ -84,7 +85,7 @@ pub fn response(re: f64, im: f64) -> Complex<f64> {
     sum
 }
 
-/// In single precision.
+/// Uses it in single precision.
 #[function]
 pub fn single(z: Complex<f32>) -> Complex<f32> {
     polynomial(&[0.5, 2.0], z)

@@ -3,7 +3,7 @@
 
 use bessemer::prelude::*;
 
-/// The mean of some values; 0 of none.
+/// The mean of some values; 0 if there are none.
 #[function]
 fn mean<T: Real, const N: usize>(values: &[T; N]) -> T {
     let mut sum = T::ZERO;

@@ -1,8 +1,9 @@
-//! Functions that give iterators: a loop through what they give is their own loop, with the author's body in it.
+//! Functions that return iterators: a loop over the result becomes the function's own loop, with the author's body
+//! inside.
 
 use bessemer::prelude::*;
 
-/// A set of inputs, a bit each.
+/// A set of inputs, one bit for each.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Inputs {
@@ -22,7 +23,7 @@ impl Inputs {
     }
 }
 
-/// The readings of a sensor, of which some are good.
+/// Readings of a sensor, of which the first `count` are valid.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Readings {
@@ -33,7 +34,7 @@ pub struct Readings {
 
 #[data]
 impl Readings {
-    /// Those that there are; of more than there are, none.
+    /// The valid readings; all if `count` exceeds the capacity.
     pub fn given(&self) -> impl Iterator<Item = &f64> {
         let most = if self.valid > 6 { 0 } else { self.valid };
         self.values[..most].iter().filter(|value| **value < self.most)
@@ -44,18 +45,18 @@ impl Readings {
         self.given().map(move |value| value * by)
     }
 
-    /// Each with the one behind it.
+    /// Each reading with the one after it.
     fn pairs<'a>(&'a self) -> impl Iterator<Item = (&'a f64, &'a f64)> + 'a {
         self.values.iter().zip(self.values.iter().skip(1))
     }
 
-    /// Each with the one behind it, and the last with the first.
+    /// Each reading with the one after it, and the last with the first.
     fn edges(&self) -> impl Iterator<Item = (&f64, &f64)> {
         let next = self.values.iter().cycle().skip(1);
         self.values.iter().zip(next)
     }
 
-    /// Ends of chains.
+    /// Summarises the readings.
     pub fn summary(&self) -> (usize, f64, Option<f64>, Option<f64>) {
         let steps = self.pairs().map(|(one, next)| (next - one).abs()).fold(0.0, f64::max);
         let rising = self.pairs().filter(|(one, next)| one < next).count();
@@ -63,12 +64,12 @@ impl Readings {
         (rising, steps + area, self.scaled(2.0).last(), self.scaled(0.5).next())
     }
 
-    /// The largest.
+    /// The largest reading.
     pub fn largest(&self) -> Option<f64> {
         self.given().max_by(|one, other| one.total_cmp(other)).copied()
     }
 
-    /// Number of items before one above a limit.
+    /// Number of readings before the first above a limit.
     pub fn before(&self, limit: f64) -> Option<usize> {
         for (at, value) in self.scaled(1.5).enumerate() {
             if value > limit {
@@ -79,7 +80,7 @@ impl Readings {
     }
 }
 
-/// Exits from a pass, and from the loop.
+/// `continue` and `break` in loops over such iterators.
 #[function]
 pub fn weighed(inputs: Inputs, more: Inputs) -> u32 {
     let mut sum = 0_u32;
@@ -106,13 +107,13 @@ pub fn weighed(inputs: Inputs, more: Inputs) -> u32 {
     sum + more.iter().count() as u32 + u32::from(inputs.iter().sum::<u16>())
 }
 
-/// Numbers that a fault ends.
+/// Quotients, of which a division by zero is a fault.
 #[function]
 fn shares(of: u32, by: [u32; 3]) -> impl Iterator<Item = u32> {
     by.into_iter().map(move |part| of / part)
 }
 
-/// A fault comes where Rust panics: not behind the item that ends the loop.
+/// A fault occurs where Rust panics: not after the item that ends the loop.
 #[function]
 pub fn first_share(of: u32, by: [u32; 3]) -> u32 {
     let mut most = 0;
@@ -125,14 +126,14 @@ pub fn first_share(of: u32, by: [u32; 3]) -> u32 {
     most
 }
 
-/// A range as a value.
+/// A range as a variable.
 #[function]
 pub fn fences(low: f64, high: f64, value: f64) -> bool {
     let reach = 1.5 * (high - low);
     around(low, high, reach).contains(&value)
 }
 
-/// A range as a result.
+/// A range as a return value.
 #[function]
 pub fn around(low: f64, high: f64, reach: f64) -> core::ops::RangeInclusive<f64> {
     low - reach..=high + reach

@@ -2,10 +2,10 @@
 
 use bessemer::prelude::*;
 
-/// The middle of five samples.
+/// The median of five samples.
 #[function]
 pub fn middle([mut a, mut b, mut c, mut d, mut e]: [f32; 5]) -> f32 {
-    /// Puts two samples into order.
+    /// Puts two samples in order.
     fn order(low: &mut f32, high: &mut f32) {
         if *high < *low {
             core::mem::swap(low, high);
@@ -22,7 +22,7 @@ pub fn middle([mut a, mut b, mut c, mut d, mut e]: [f32; 5]) -> f32 {
     c
 }
 
-/// The checksum of a message starts with this byte; a message that nobody knows has none.
+/// The first byte of a message's checksum; `None` for an unknown message.
 #[function]
 pub fn extra(message: u8) -> Option<u8> {
     const EXTRAS: &[(u8, u8)] = &[(0, 50), (1, 124), (24, 24), (30, 39), (33, 104)];
@@ -38,7 +38,7 @@ pub struct Mixing {
 
 #[component]
 impl Mixing {
-    /// Takes a sample.
+    /// Takes a sample; returns the smoothed signal.
     #[entry(infallible)]
     pub fn step(&mut self, sample: f64, fast: bool) -> f64 {
         fn mix(from: f64, to: f64, share: f64) -> f64 {

@@ -1,15 +1,15 @@
-//! Numbers have an interface of the author's too, and operators with a type of the author's on the right.
+//! Traits of an author's own implemented for numbers, and operators with an author's type on the right.
 
 use bessemer::prelude::*;
 use core::ops::{Div, Mul};
 
-/// Values of a stick.
+/// Operations on the value of a stick.
 #[interface]
 pub trait Shaped {
-    /// Nothing near the middle.
+    /// The value with a dead band of this width around the middle.
     fn without_middle(self, width: Self) -> Self;
 
-    /// Twice as much.
+    /// Twice the value.
     fn doubled(self) -> Self;
 }
 
@@ -49,7 +49,7 @@ pub struct Seconds(pub f64);
 impl Mul<Metres> for f64 {
     type Output = Metres;
 
-    /// So many times as long.
+    /// The length multiplied by a number.
     fn mul(self, length: Metres) -> Metres {
         Metres(self * length.0)
     }
@@ -59,7 +59,7 @@ impl Mul<Metres> for f64 {
 impl Mul<Seconds> for f64 {
     type Output = Seconds;
 
-    /// So many times as long.
+    /// The time multiplied by a number.
     fn mul(self, time: Seconds) -> Seconds {
         Seconds(self * time.0)
     }
@@ -69,7 +69,7 @@ impl Mul<Seconds> for f64 {
 impl Mul<Metres> for i32 {
     type Output = Metres;
 
-    /// So many of it.
+    /// The length multiplied by a count.
     fn mul(self, length: Metres) -> Metres {
         f64::from(self) * length
     }
@@ -79,7 +79,7 @@ impl Mul<Metres> for i32 {
 impl Div<Seconds> for Metres {
     type Output = f64;
 
-    /// A speed, m/s.
+    /// The speed as a length divided by a time, m/s.
     fn div(self, time: Seconds) -> f64 {
         self.0 / time.0
     }
@@ -87,19 +87,19 @@ impl Div<Seconds> for Metres {
 
 #[data]
 impl From<Metres> for f64 {
-    /// The number.
+    /// The length as a number, m.
     fn from(length: Metres) -> f64 {
         length.0
     }
 }
 
-/// A stick as it is meant, whatever its numbers.
+/// The command of a stick, whatever its number type.
 #[function]
 pub fn meant<T: Shaped>(stick: T, width: T) -> T {
     stick.doubled().without_middle(width)
 }
 
-/// Two sticks.
+/// Commands of two sticks with different number types.
 #[function]
 pub fn sticks(fine: f64, coarse: i16) -> f64 {
     meant(fine, 0.25) + f64::from(meant(coarse, 10)) + fine.doubled()
@@ -112,17 +112,17 @@ pub fn speed(step: Metres, count: i32, period: Seconds) -> f64 {
     way / (2.0 * period)
 }
 
-/// The number of a length, whichever way it is asked for.
+/// The length as a number, by `from` and by `into`.
 #[function]
 pub fn number(length: Metres) -> f64 {
     let number: f64 = length.into();
     number + f64::from(2.0 * length)
 }
 
-/// Takes steps.
+/// Types that count steps.
 #[interface]
 pub trait Counts {
-    /// A step.
+    /// Adds a step; returns false if it does not fit.
     fn step(&mut self, by: u8) -> bool;
 }
 
@@ -134,7 +134,7 @@ impl Counts for u16 {
     }
 }
 
-/// A number that counts.
+/// Adds a step to a number.
 #[function]
 pub fn counted(counter: &mut u16, by: u8) -> bool {
     let often = counter.step(by);

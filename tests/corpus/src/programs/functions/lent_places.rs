@@ -1,9 +1,9 @@
-//! A function that returns a reference is inlined: the call is the place, after the function's
-//! other statements. A function that chooses among several places to read returns a copy.
+//! A function that returns a reference is inlined: the call is the place, after the function's other statements. A
+//! function that selects one of several places for reading returns a copy.
 
 use bessemer::prelude::*;
 
-/// One of three.
+/// One of three axes.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Axis {
@@ -13,18 +13,18 @@ pub struct Axis {
 
 #[data]
 impl Axis {
-    /// Within the limit.
+    /// The command for an error, limited.
     pub fn command(&self, error: f64) -> f64 {
         (self.gain * error).min(self.limit)
     }
 
-    /// Farther.
+    /// Widens the limit.
     pub fn widen(&mut self, by: f64) {
         self.limit += by;
     }
 }
 
-/// The three, and which counts.
+/// Three axes, and the index of the main one.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Head {
@@ -34,36 +34,36 @@ pub struct Head {
 
 #[data]
 impl Head {
-    /// To be read.
+    /// An axis, for reading.
     pub fn axis(&self, i: usize) -> &Axis {
         &self.axes[i]
     }
 
-    /// To be written; the first is fixed.
+    /// An axis, for writing; index 0 is another axis.
     pub fn axis_mut(&mut self, i: usize) -> &mut Axis {
         assert!(i > 0);
         &mut self.axes[i]
     }
 
-    /// The one that counts.
+    /// The main axis.
     pub fn main(&self) -> &Axis {
         self.axis(self.main)
     }
 
-    /// The one that goes farther.
+    /// The axis with the wider limit.
     pub fn wider(&self, i: usize, j: usize) -> &Axis {
         if self.axes[i].limit > self.axes[j].limit { &self.axes[i] } else { &self.axes[j] }
     }
 }
 
-/// Places that are read.
+/// Reads through returned references.
 #[function]
 pub fn commanded(head: &Head, i: usize, error: f64) -> f64 {
     let axis = head.axis(i);
     axis.command(error) + head.main().gain + head.wider(0, i).limit
 }
 
-/// Places that are written.
+/// Writes through returned references.
 #[function]
 pub fn widened(head: &mut Head, i: usize, by: f64) {
     head.axis_mut(i).gain = by;
@@ -76,13 +76,13 @@ pub fn widened(head: &mut Head, i: usize, by: f64) {
     axis.gain -= 1.0;
 }
 
-/// The later of two, of any length.
+/// An element of one of two slices, as if they were joined.
 #[function]
 pub fn behind<'a>(values: &'a [f64], other: &'a [f64], i: usize) -> &'a f64 {
     if i < values.len() { &values[i] } else { &other[i - values.len()] }
 }
 
-/// From either.
+/// Reads an element of two joined slices.
 #[function]
 pub fn joined(left: &[f64; 3], right: &[f64; 2], i: usize) -> f64 {
     *behind(left, right, i) - *behind(right, left, 0)

@@ -13,20 +13,20 @@ pub struct Version {
 
 #[data]
 impl Version {
-    /// The first.
+    /// The packed form of the first version.
     pub const FIRST: u32 = 1 << 24;
 
-    /// From its packed form.
+    /// Unpacks a version.
     pub fn unpacked(word: u32) -> Version {
         Version { major: (word >> 24) as u8, minor: (word >> 16) as u8, patch: word as u16 }
     }
 
-    /// One word that orders as versions do.
+    /// Packs a version into one word, in which versions compare correctly.
     pub fn packed(&self) -> u32 {
         u32::from(self.major) << 24 | u32::from(self.minor) << 16 | u32::from(self.patch)
     }
 
-    /// Counts the patch up.
+    /// Increments the patch number.
     pub fn patch(&mut self) {
         self.patch = self.patch.wrapping_add(1);
     }

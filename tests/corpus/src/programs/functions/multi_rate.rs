@@ -30,10 +30,10 @@ pub struct TwoRates {
 
 #[component]
 impl TwoRates {
-    /// Fast periods for each slow one.
+    /// Number of fast periods in a slow one.
     const DIVIDER: u8 = 4;
 
-    /// One period of 5 ms: the command.
+    /// One period of 5 ms; returns the command.
     #[entry(infallible)]
     pub fn step(&mut self, target: f64, angle: f64, rate: f64) -> f64 {
         if self.tick == 0 {

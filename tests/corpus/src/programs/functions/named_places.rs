@@ -1,5 +1,5 @@
-//! A name for a part of a value is the part itself in the
-//! C. Its index is computed and checked once, at the `let`.
+//! A named reference to a part of a value is the part itself in the C. Its index is computed and checked once, at the
+//! `let`.
 
 use bessemer::prelude::*;
 
@@ -11,7 +11,7 @@ pub struct Motor {
     pub on: bool,
 }
 
-/// Sets the speed of a motor; whether it runs now.
+/// Sets the speed of a motor; returns whether it runs now.
 #[function]
 pub fn drive(motors: &mut [Motor; 4], which: usize, speed: f32) -> bool {
     let motor = &mut motors[which];

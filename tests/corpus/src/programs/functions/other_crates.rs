@@ -1,11 +1,12 @@
-//! Types, components, interfaces, tables and functions of another crate that depends on `bessemer`: the C includes the used items.
+//! Types, components, traits, tables and functions of another crate that depends on `bessemer`: the C includes the
+//! used items.
 
 use bessemer::prelude::*;
 use filters::quantities::Metres;
 pub use filters::LowPass;
 use filters::{Delay, Filter, Health, interpolate};
 
-/// A sensor's reading on its way.
+/// A reading to be filtered.
 #[component]
 #[derive(Clone, Debug, Default)]
 pub struct Reading {
@@ -17,7 +18,7 @@ pub struct Reading {
 
 #[component]
 impl Reading {
-    /// A step.
+    /// Filters a reading.
     #[entry]
     pub fn step(&mut self, input: f64, valid: bool) -> f64 {
         self.health = match self.health {
@@ -31,7 +32,7 @@ impl Reading {
     }
 }
 
-/// The other crate's interface for a component of one's own.
+/// A component that implements the other crate's trait.
 #[component]
 #[derive(Clone, Debug, Default)]
 pub struct Gain {
@@ -45,7 +46,7 @@ impl Filter for Gain {
     }
 }
 
-/// One filter behind the other.
+/// Two filters in series.
 #[component]
 #[derive(Clone, Debug, Default)]
 pub struct Both<A, B> {
@@ -55,7 +56,7 @@ pub struct Both<A, B> {
 
 #[component]
 impl<A: Filter, B: Filter> Both<A, B> {
-    /// A step of both.
+    /// Filters through both.
     #[entry]
     pub fn step(&mut self, input: f64) -> f64 {
         let between = self.first.step(input);
@@ -63,6 +64,6 @@ impl<A: Filter, B: Filter> Both<A, B> {
     }
 }
 
-/// The other crate's, then one's own.
+/// A filter of the other crate, followed by the one above.
 #[component]
 pub type SmoothGain = Both<LowPass, Gain>;

@@ -1,4 +1,4 @@
-//! An author's own `[…]`: `Index` and `IndexMut` name the place that they lend.
+//! An author's own `[…]`: `Index` and `IndexMut` return references.
 
 use core::ops::{Index, IndexMut};
 
@@ -29,7 +29,7 @@ impl IndexMut<(usize, usize)> for Grid {
     }
 }
 
-/// A side of something.
+/// Left or right.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Side {
@@ -37,7 +37,7 @@ pub enum Side {
     Right,
 }
 
-/// Values of either side.
+/// A value for each side.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sides {
@@ -57,7 +57,7 @@ impl Index<Side> for Sides {
     }
 }
 
-/// The mean of a point and its neighbour, which is levelled.
+/// Sets a point to the mean of itself and its neighbour, and returns it.
 #[function]
 pub fn levelled(grid: &mut Grid, row: usize, column: usize) -> f64 {
     let mean = 0.5 * (grid[(row, column)] + grid[(row, column + 1)]);
@@ -66,7 +66,7 @@ pub fn levelled(grid: &mut Grid, row: usize, column: usize) -> f64 {
     mean
 }
 
-/// The difference of the sides.
+/// The difference of the two values.
 #[function]
 pub fn difference(sides: Sides) -> i32 {
     sides[Side::Left].wrapping_sub(sides[Side::Right])

@@ -2,14 +2,14 @@
 
 use bessemer::prelude::*;
 
-/// A few numbers.
+/// A bank of a few numbers.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bank {
     pub cells: [u8; 4],
 }
 
-/// A missing value.
+/// The error for a missing value.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Missing {
@@ -49,7 +49,7 @@ impl Bank {
     }
 }
 
-/// Calls them.
+/// Calls the author's methods.
 #[function]
 pub fn use_all(bank: &mut Bank, index: u8) -> Result<u8, Missing> {
     let cell = bank.get_mut(index)?;
@@ -61,14 +61,14 @@ pub fn use_all(bank: &mut Bank, index: u8) -> Result<u8, Missing> {
     Ok(sum)
 }
 
-/// The first cell, if there is much in it.
+/// The first cell, if it is above a limit.
 #[function]
 pub fn much(bank: &Bank) -> Option<u8> {
     let first = bank.first_mut()?;
     Some(first.wrapping_add(1))
 }
 
-/// A parameter in parts that may be written.
+/// A destructured parameter that is written.
 #[function]
 pub fn turn([x, y]: &mut [f64; 2], (mut turns, by): (u8, f64)) -> u8 {
     core::mem::swap(x, y);
@@ -77,13 +77,13 @@ pub fn turn([x, y]: &mut [f64; 2], (mut turns, by): (u8, f64)) -> u8 {
     turns
 }
 
-/// Previous value at an index, before the index advances.
+/// Returns the value at an index and stores another; the index is read before it advances.
 #[function]
 pub fn taken(ring: &mut [u8; 4], at: usize, by: u8) -> u8 {
     core::mem::replace(&mut ring[at], 200 / by)
 }
 
-/// Previous value at an index that advances before the new value is stored.
+/// Stores a value after the index has advanced.
 #[function]
 pub fn moved_on(ring: &mut [u8; 4], start: u8) -> (u8, u8) {
     let mut at = usize::from(start % 3);

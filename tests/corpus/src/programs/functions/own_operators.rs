@@ -1,5 +1,5 @@
-//! Operators and conversions of an author's own types: the traits are Rust's, marked as the type is. In the C each
-//! is a function of its own.
+//! Operators and conversions of an author's types: implementations of Rust's traits with the attribute. In the C each
+//! is a function.
 
 use bessemer::prelude::*;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub};
@@ -51,7 +51,7 @@ impl Mul for Phasor {
 impl Mul<f64> for Phasor {
     type Output = Phasor;
 
-    /// Longer by a factor.
+    /// The number multiplied by a factor.
     fn mul(self, factor: f64) -> Phasor {
         Phasor { re: self.re * factor, im: self.im * factor }
     }
@@ -61,7 +61,7 @@ impl Mul<f64> for Phasor {
 impl Mul<i32> for Phasor {
     type Output = Phasor;
 
-    /// So many of it. A literal beside it says which of the two it is.
+    /// The number multiplied by a count. A literal operand selects one of the two by its type.
     fn mul(self, count: i32) -> Phasor {
         self * f64::from(count)
     }
@@ -71,7 +71,7 @@ impl Mul<i32> for Phasor {
 impl Div<f64> for Phasor {
     type Output = Phasor;
 
-    /// Shorter by a factor.
+    /// The number divided by a divisor.
     fn div(self, divisor: f64) -> Phasor {
         Phasor { re: self.re / divisor, im: self.im / divisor }
     }
@@ -81,7 +81,7 @@ impl Div<f64> for Phasor {
 impl Neg for Phasor {
     type Output = Phasor;
 
-    /// The opposite.
+    /// The negative number.
     fn neg(self) -> Phasor {
         Phasor { re: -self.re, im: -self.im }
     }
@@ -89,7 +89,7 @@ impl Neg for Phasor {
 
 #[data]
 impl AddAssign for Phasor {
-    /// Adds another to it.
+    /// Adds another number in place.
     fn add_assign(&mut self, other: Phasor) {
         self.re += other.re;
         self.im += other.im;
@@ -98,7 +98,7 @@ impl AddAssign for Phasor {
 
 #[data]
 impl MulAssign<f64> for Phasor {
-    /// Makes it longer.
+    /// Multiplies by a factor in place.
     fn mul_assign(&mut self, factor: f64) {
         *self = *self * factor;
     }
@@ -106,7 +106,7 @@ impl MulAssign<f64> for Phasor {
 
 #[data]
 impl From<f64> for Phasor {
-    /// A real number.
+    /// Converts a real number.
     fn from(re: f64) -> Phasor {
         Phasor { re, im: 0.0 }
     }
@@ -114,28 +114,28 @@ impl From<f64> for Phasor {
 
 #[data]
 impl From<(f64, f64)> for Phasor {
-    /// Conversion from two parts.
+    /// Converts a pair of real and imaginary part.
     fn from(parts: (f64, f64)) -> Self {
         let (re, im) = parts;
         Self { re, im }
     }
 }
 
-/// Why a byte is no phase.
+/// The error for a letter that is not a phase.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Unknown(pub u8);
 
-/// A phase of the grid.
+/// A phase of the mains.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Phase {
-    /// The first.
+    /// First phase.
     #[default]
     A,
-    /// The second.
+    /// Second phase.
     B,
-    /// The third.
+    /// Third phase.
     C,
 }
 
@@ -143,7 +143,7 @@ pub enum Phase {
 impl TryFrom<u8> for Phase {
     type Error = Unknown;
 
-    /// The phase of a letter.
+    /// Converts a letter to a phase.
     fn try_from(letter: u8) -> Result<Self, Self::Error> {
         match letter {
             b'A' => Ok(Phase::A),
@@ -154,7 +154,7 @@ impl TryFrom<u8> for Phase {
     }
 }
 
-/// Impedances in parallel.
+/// The impedance of two in parallel.
 #[function]
 pub fn parallel(a: Phasor, b: Phasor) -> Phasor {
     let product = a * b;
@@ -175,21 +175,21 @@ pub fn weighted(currents: [Phasor; 3], factor: f64) -> Phasor {
     sum - currents[0]
 }
 
-/// Two ways to make one.
+/// Converts with `from` and with `into`.
 #[function]
 pub fn made(re: f64, im: f64) -> Phasor {
     let real: Phasor = re.into();
     real + Phasor::from((0.0, im)) * 2.0_f64 * 3_i32
 }
 
-/// The phase of a letter, or the letter.
+/// The phase of a letter; an unknown letter is the error.
 #[function]
 pub fn phase_of(letter: u8) -> Result<Phase, Unknown> {
     let phase = Phase::try_from(letter)?;
     Ok(phase)
 }
 
-/// A conversion of numbers from the other end.
+/// Converts numbers with `into`.
 #[function]
 pub fn widened(x: i32, y: u8) -> f64 {
     let x: f64 = x.into();

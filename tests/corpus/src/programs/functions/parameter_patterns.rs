@@ -1,4 +1,4 @@
-//! A destructured parameter has the names of its parts in the C.
+//! A destructured parameter: its parts are named in the C.
 
 use bessemer::prelude::*;
 
@@ -28,7 +28,7 @@ pub fn slope(&Spot { x, y }: &Spot) -> f64 {
     y / x
 }
 
-/// The length of the way from the origin to a point, and around a box.
+/// The distance from the origin to a point, plus the volume of a box.
 #[function]
 pub fn all(point: &Spot, sides: &[f64; 3]) -> f64 {
     length((point.x, point.y)) + volume(sides) + slope(point)

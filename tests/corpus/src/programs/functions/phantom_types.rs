@@ -1,15 +1,16 @@
-//! `PhantomData` distinguishes types with equal contents: units, and the states of a device. The C has a struct for each, without it.
+//! `PhantomData` distinguishes types with equal contents: units, and the states of a device. The C has a struct for
+//! each, without the marker.
 
 use core::marker::PhantomData;
 
 use bessemer::prelude::*;
 
-/// A unit.
+/// The unit metre.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Metres;
 
-/// A unit.
+/// The unit second.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Seconds;
@@ -24,12 +25,12 @@ pub struct Quantity<U> {
 
 #[data]
 impl<U> Quantity<U> {
-    /// So much of it.
+    /// A quantity with this value.
     pub fn new(value: f64) -> Self {
         Quantity { value, unit: PhantomData }
     }
 
-    /// Both.
+    /// The sum of two quantities of the same unit.
     pub fn plus(self, other: Self) -> Self {
         Quantity { value: self.value + other.value, ..self }
     }
@@ -43,24 +44,24 @@ pub fn pace(there: f64, back: f64, time: f64) -> f64 {
     way.value / time.value
 }
 
-/// Without current.
+/// State of a drive without current.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Idle;
 
-/// With it.
+/// State of a drive with current.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Armed;
 
-/// A drive, which turns only where it is armed.
+/// A drive that turns only if it is armed.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Drive<S>(f64, PhantomData<S>);
 
 #[data]
 impl Drive<Idle> {
-    /// With a speed to begin with.
+    /// Arms the drive with an initial speed.
     pub fn arm(self, speed: f64) -> Drive<Armed> {
         let Drive(before, _) = self;
         Drive(before + speed, PhantomData)
@@ -69,14 +70,14 @@ impl Drive<Idle> {
 
 #[data]
 impl Drive<Armed> {
-    /// Faster.
+    /// Increases the speed and returns it.
     pub fn turn(&mut self, by: f64) -> f64 {
         self.0 += by;
         self.0
     }
 }
 
-/// From rest.
+/// Arms a drive and turns it.
 #[function]
 pub fn started(speed: f64, by: f64) -> f64 {
     let mut drive = Drive::<Idle>::default().arm(speed);

@@ -1,4 +1,4 @@
-//! Requests to the C: a name, a section, and whether a function is inlined.
+//! Attributes for the C: a name, a section, and whether a function is inlined.
 
 use bessemer::prelude::*;
 
@@ -10,14 +10,14 @@ pub fn torque(current: f32, constant: f32) -> f32 {
     current * constant
 }
 
-/// The power that it takes, W.
+/// The electric power that is lost, W.
 #[function]
 #[inline(always)]
 fn power(current: f32, resistance: f32) -> f32 {
     current * current * resistance
 }
 
-/// The torque for each watt; none without current.
+/// The torque for each watt; `None` without current.
 #[function]
 pub fn efficiency(current: f32, constant: f32, resistance: f32) -> Option<f32> {
     if current == 0.0 {

@@ -1,8 +1,8 @@
-//! A computation that one would write by recursion is a loop with a stack of bounded length.
+//! A computation that would be written by recursion, as a loop with a stack of bounded length.
 
 use bessemer::prelude::*;
 
-/// The number of ways to climb `steps` stairs by one or two.
+/// The number of ways to climb `steps` stairs in steps of one or two.
 #[function]
 pub fn ways(steps: u8) -> u64 {
     let (mut before, mut ways) = (0_u64, 1_u64);

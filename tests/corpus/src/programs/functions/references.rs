@@ -11,7 +11,7 @@ pub struct Moments {
     pub squares: f64,
 }
 
-/// Takes a value in.
+/// Adds a value.
 #[function]
 pub fn take(moments: &mut Moments, value: f64) {
     moments.count = moments.count.wrapping_add(1);
@@ -25,7 +25,7 @@ pub fn mean(moments: &Moments) -> f64 {
     if moments.count == 0 { 0.0 } else { moments.sum / f64::from(moments.count) }
 }
 
-/// Two values at once.
+/// Adds two values; returns the mean.
 #[function]
 pub fn take_both(moments: &mut Moments, values: [f64; 2]) -> f64 {
     take(moments, values[0]);

@@ -1,4 +1,4 @@
-//! A component may have many entry points; each returns what its signature says.
+//! A component may have several entry points; each has its own result.
 
 use bessemer::prelude::*;
 
@@ -11,20 +11,20 @@ pub struct Events {
 
 #[component]
 impl Events {
-    /// One event: whether the limit is reached.
+    /// Counts an event; returns true if the limit is reached.
     #[entry(infallible)]
     pub fn happened(&mut self, limit: u32) -> bool {
         self.count = self.count.saturating_add(1);
         self.count >= limit
     }
 
-    /// Number of samples.
+    /// Number of events.
     #[entry(infallible)]
     pub fn count(&self) -> u32 {
         self.count
     }
 
-    /// Starts anew; how many there were.
+    /// Resets the counter; returns its last value.
     #[entry(infallible)]
     pub fn clear(&mut self) -> u32 {
         let count = self.count;

@@ -1,8 +1,8 @@
-//! A function that takes a closure has a copy in the C for each closure that it is called with.
+//! A function that takes a closure has a copy in the C for each closure passed to it.
 
 use bessemer::prelude::*;
 
-/// Zero of `f` between `low` and `high`, by bisection.
+/// A zero of `f` between `low` and `high`, by bisection.
 #[function]
 pub fn root<F: Fn(f64) -> f64>(f: F, mut low: f64, mut high: f64) -> f64 {
     for _ in 0..20 {
@@ -27,7 +27,7 @@ pub fn top_speed(thrust: f64, drag: f64) -> f64 {
     root(surplus, 0.0, 100.0)
 }
 
-/// The square root by halves.
+/// The square root, by bisection.
 #[function]
 pub fn square_root(of: f64) -> f64 {
     root(|x| x * x - of, 0.0, 1024.0)
@@ -43,7 +43,7 @@ fn around(steps: u8, mut visit: impl FnMut(f64)) {
     }
 }
 
-/// The sum of the angles, and how many there are.
+/// The sum of the angles, and their number.
 #[function]
 pub fn swept(steps: u8, scale: f64) -> (f64, u32) {
     let mut sum = 0.0;

@@ -10,7 +10,7 @@ pub trait Rule {
     fn area(&self, left: f64, right: f64, step: f64) -> f64;
 }
 
-/// By the mean of both.
+/// Integrates with the mean of two samples.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Trapezoid;
@@ -22,7 +22,7 @@ impl Rule for Trapezoid {
     }
 }
 
-/// By the earlier one.
+/// Integrates with the earlier sample.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rectangle;
@@ -34,7 +34,7 @@ impl Rule for Rectangle {
     }
 }
 
-/// Adds up, by a rule.
+/// An integral, by either rule.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Integral<R> {
@@ -45,7 +45,7 @@ pub struct Integral<R> {
 
 #[component]
 impl<R: Rule> Integral<R> {
-    /// One more sample.
+    /// Adds a sample.
     #[entry(infallible)]
     pub fn step(&mut self, sample: f64) -> f64 {
         self.sum += self.rule.area(self.last, sample, 0.01);
@@ -54,22 +54,22 @@ impl<R: Rule> Integral<R> {
     }
 }
 
-/// The one that is flown.
+/// The integral that flies.
 #[component]
 pub type TrapezoidIntegral = Integral<Trapezoid>;
 
-/// Error of a value above the limit.
+/// The error for a value above the limit.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saturated;
 
-/// Further errors.
+/// Errors of a value out of range.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Trouble {
-    /// Above.
+    /// Above the upper limit.
     High,
-    /// Below.
+    /// Below the lower limit.
     Low,
 }
 
@@ -80,13 +80,13 @@ impl From<Saturated> for Trouble {
     }
 }
 
-/// A command that the drive takes.
+/// The torque, if the drive can produce it.
 #[function]
 pub fn commanded(torque: f64) -> Result<f64, Saturated> {
     if torque > 2.0 { Err(Saturated) } else { Ok(torque) }
 }
 
-/// The value within the limits on both sides.
+/// The torque, if it is between both limits.
 #[function]
 pub fn limited(torque: f64) -> Result<f64, Trouble> {
     let torque = commanded(torque)?;
@@ -98,7 +98,7 @@ fn areas<R: Rule>(rule: R, samples: &[f64; 4]) -> f64 {
     samples.windows(2).map(|pair| rule.area(pair[0], pair[1], 0.5)).sum()
 }
 
-/// By both rules.
+/// Integrals by both rules.
 #[function]
 pub fn compared(samples: &[f64; 4]) -> [f64; 2] {
     [areas(Trapezoid, samples), areas(Rectangle, samples)]

@@ -2,22 +2,22 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = [i32; 5];
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     [1, -2, 3, -4, i32::MIN]
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     [0; 5]
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it[3] = it[4];

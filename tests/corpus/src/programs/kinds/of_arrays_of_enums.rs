@@ -12,30 +12,30 @@ pub enum Step {
     Turn { by: f64, left: bool },
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = [Step; 3];
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     [Step::Done, Step::Turn { by: x, left: false }, Step::Done]
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     [Step::Wait(3), Step::Done, Step::Turn { by: -0.5, left: true }]
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     [Step::Done; 3]
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it[0] = it[2];

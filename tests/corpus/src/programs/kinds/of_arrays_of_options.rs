@@ -2,22 +2,22 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = [Option<i16>; 3];
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     [Some(1), None, Some(i16::MIN)]
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     [None; 3]
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it[1] = Some(5);

@@ -11,12 +11,12 @@ pub struct Sample {
     pub good: bool,
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = [Sample; 3];
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut all = [Sample::default(); 3];
@@ -24,13 +24,13 @@ pub fn with(x: Number) -> It {
     all
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     [Sample { at: 1, value: -0.5, good: true }; 3]
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     let mut all = one();
@@ -38,7 +38,7 @@ pub fn other() -> It {
     all
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it[0].value = 8.0;

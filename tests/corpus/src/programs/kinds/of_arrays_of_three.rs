@@ -2,22 +2,22 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = [[[u8; 2]; 3]; 2];
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     [[[1, 2], [3, 4], [5, 6]], [[7, 8], [9, 10], [11, 12]]]
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     [[[0; 2]; 3]; 2]
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it[1][2] = it[0][0];

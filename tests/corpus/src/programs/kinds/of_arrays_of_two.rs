@@ -2,30 +2,30 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = [[f32; 3]; 2];
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f32;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     [[x; 3], [0.0, x, 1.0]]
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     [[0.0, 1.0, 2.0], [3.0, 4.0, 5.0]]
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     [[0.5; 3]; 2]
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it[1] = it[0];

@@ -2,30 +2,30 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = [Vector2<f32>; 3];
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f32;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     [Vector2::new(x, 0.0); 3]
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     [Vector2::new(1.0, 2.0), Vector2::new(3.0, 4.0), Vector2::new(5.0, 6.0)]
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     [Vector2::zeros(); 3]
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it[2].x = 0.5;

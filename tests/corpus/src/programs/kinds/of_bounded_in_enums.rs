@@ -11,12 +11,12 @@ pub enum Job {
     Both { parts: [BoundedMatrix<f64, 2, 2>; 2], weight: f32 },
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = Job;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut part = BoundedMatrix::new(1, 1);
@@ -24,19 +24,19 @@ pub fn with(x: Number) -> It {
     Job::Single(part)
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Job::Both { parts: [BoundedMatrix::new(1, 2), BoundedMatrix::new(2, 1)], weight: 0.5 }
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Job::Idle
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = match *it {

@@ -11,12 +11,12 @@ pub struct Window {
     pub full: bool,
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = Window;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut made = other();
@@ -24,7 +24,7 @@ pub fn with(x: Number) -> It {
     made
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     let mut made = Window { seen: List::new(), data: BoundedMatrix::new(1, 2), full: true };
@@ -33,13 +33,13 @@ pub fn one() -> It {
     made
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Window { seen: List::new(), data: BoundedMatrix::new(0, 0), full: false }
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it.data.resize(2, 1, 6.0);

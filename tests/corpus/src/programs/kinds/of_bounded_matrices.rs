@@ -1,13 +1,13 @@
-//! Matrices of up to so many rows and columns.
+//! Matrices with a maximum number of rows and columns.
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = BoundedMatrix<f64, 3, 2>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut made = BoundedMatrix::new(1, 1);
@@ -15,7 +15,7 @@ pub fn with(x: Number) -> It {
     made
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     let mut made = BoundedMatrix::new(2, 2);
@@ -23,13 +23,13 @@ pub fn one() -> It {
     made
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     BoundedMatrix::new(3, 1)
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it.resize(1, 2, -0.5);

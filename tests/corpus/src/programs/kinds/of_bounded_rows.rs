@@ -1,16 +1,16 @@
-//! Matrices of up to so many rows, and a fixed number of columns.
+//! Matrices with a maximum number of rows, and a fixed number of columns.
 
 use bessemer::prelude::*;
 
-/// Zeros.
+/// A matrix of zeros.
 const RESTING: BoundedMatrix<f32, 4, 1> = BoundedMatrix::new(4, 1);
 
-/// The kind.
+/// The type of this kind.
 pub type It = BoundedMatrix<f32, 4, 1>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f32;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut made = BoundedMatrix::new(1, 1);
@@ -18,7 +18,7 @@ pub fn with(x: Number) -> It {
     made
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     let mut made = BoundedMatrix::new(2, 1);
@@ -26,13 +26,13 @@ pub fn one() -> It {
     made
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     RESTING
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it.resize(3, 1, -0.5);

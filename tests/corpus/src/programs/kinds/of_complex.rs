@@ -3,30 +3,30 @@
 use bessemer::nalgebra::Complex;
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = Complex<f64>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     Complex::new(x, 1.0)
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Complex::new(1.0, -2.0)
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Complex::i()
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it.im = it.re + 1.0;

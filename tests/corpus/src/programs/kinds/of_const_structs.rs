@@ -1,4 +1,4 @@
-//! A constant struct with arrays of arrays in it.
+//! A constant struct that contains arrays of arrays.
 
 use bessemer::prelude::*;
 
@@ -11,19 +11,19 @@ pub struct Airfoil {
     pub name: [u8; 4],
 }
 
-/// A thin profile.
+/// A thin airfoil.
 const THIN: Airfoil = Airfoil {
     lift: [[[0.0, 1.0], [0.5, 1.5]], [[0.0, 2.0], [0.5, 2.5]], [[-0.0, 3.0], [0.5, 3.5]]],
     drag: [[0.01, 0.02], [0.03, 0.04], [0.05, 0.06]],
     name: *b"thin",
 };
 
-/// The kind.
+/// The type of this kind.
 pub type It = Airfoil;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut made = THIN;
@@ -31,19 +31,19 @@ pub fn with(x: Number) -> It {
     made
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     THIN
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Airfoil { drag: [[0.5; 2]; 3], ..THIN }
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it.lift[2][1] = THIN.drag[0];

@@ -1,29 +1,29 @@
-//! Constants of arrays: tables that are read.
+//! Constant arrays: tables for reading.
 
 use bessemer::prelude::*;
 
-/// Levels.
+/// Two rows of levels.
 const LEVELS: [[i16; 3]; 2] = [[-300, 0, 300], [1, 2, 3]];
-/// Steps between them.
+/// Two rows of steps, including the limits of the type.
 #[data]
 const STEPS: [[i16; 3]; 2] = [[i16::MIN, -1, i16::MAX], [7, 8, 9]];
 
-/// The kind.
+/// The type of this kind.
 pub type It = [[i16; 3]; 2];
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     STEPS
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     LEVELS
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it[1] = STEPS[0];

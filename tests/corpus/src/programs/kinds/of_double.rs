@@ -1,31 +1,31 @@
-//! Numbers of 64 bits.
+//! Floats of 64 bits.
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = f64;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     x
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     -0.0
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     1e-310
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = -*it;

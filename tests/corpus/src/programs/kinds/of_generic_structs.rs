@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The last values.
+/// Some values of any type.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Held<T, const N: usize> {
@@ -10,30 +10,30 @@ pub struct Held<T, const N: usize> {
     pub count: u8,
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = Held<f32, 3>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f32;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     Held { last: [0.0, 1.0, x], count: 1 }
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Held { last: [1.0, 2.0, 3.0], count: 3 }
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Held { last: [0.0; 3], count: 0 }
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it.last[1] = 8.0;

@@ -10,12 +10,12 @@ pub struct Cell {
     pub height: f32,
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = [[Cell; 3]; 2];
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f32;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut map = other();
@@ -23,19 +23,19 @@ pub fn with(x: Number) -> It {
     map
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     [[Cell { height: 0.5, seen: true }; 3], [Cell::default(); 3]]
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     [[Cell::default(); 3]; 2]
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     let last = it[1][2];

@@ -1,13 +1,13 @@
-//! Lists of words.
+//! Lists of floats.
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = List<f64, 4>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut list = List::new();
@@ -15,7 +15,7 @@ pub fn with(x: Number) -> It {
     list
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     let mut list = List::new();
@@ -24,13 +24,13 @@ pub fn one() -> It {
     list
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     List::new()
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     if it.is_empty() {

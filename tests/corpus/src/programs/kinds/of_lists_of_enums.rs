@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Events.
+/// Events with and without data.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Event {
@@ -12,12 +12,12 @@ pub enum Event {
     Keys([u8; 2]),
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = List<Event, 3>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut list = List::new();
@@ -25,7 +25,7 @@ pub fn with(x: Number) -> It {
     list
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     let mut list = List::new();
@@ -34,13 +34,13 @@ pub fn one() -> It {
     list
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     List::new()
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     if it.is_empty() {

@@ -2,10 +2,10 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = List<List<u8, 2>, 3>;
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     let mut row = List::new();
@@ -16,13 +16,13 @@ pub fn one() -> It {
     list
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     List::new()
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     if it.is_empty() {

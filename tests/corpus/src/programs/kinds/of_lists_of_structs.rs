@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// An object that is followed.
+/// A tracked object.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Track {
@@ -10,12 +10,12 @@ pub struct Track {
     pub place: [f32; 2],
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = List<Track, 3>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f32;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut list = List::new();
@@ -23,7 +23,7 @@ pub fn with(x: Number) -> It {
     list
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     let mut list = List::new();
@@ -31,13 +31,13 @@ pub fn one() -> It {
     list
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     List::new()
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     if it.is_empty() {

@@ -2,22 +2,22 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = bool;
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     true
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     false
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = !*it;

@@ -2,12 +2,12 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = SMatrix<f32, 2, 3>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f32;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut made = other();
@@ -15,19 +15,19 @@ pub fn with(x: Number) -> It {
     made
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     SMatrix::<f32, 2, 3>::new(1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     SMatrix::<f32, 2, 3>::zeros()
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it[(1, 2)] = -1.0;

@@ -1,4 +1,4 @@
-//! Structs in structs in structs.
+//! Structs nested in two levels.
 
 use bessemer::prelude::*;
 
@@ -27,12 +27,12 @@ pub struct Body {
     pub id: u16,
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = Body;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut body = Body::default();
@@ -40,19 +40,19 @@ pub fn with(x: Number) -> It {
     body
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Body { mass: 1, arm: Limb { length: 2.0, joint: Joint { angle: 3.0, locked: true } }, id: 4 }
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Body::default()
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it.arm.joint = Joint { angle: -1.0, locked: false };

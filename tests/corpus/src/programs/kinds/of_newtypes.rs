@@ -1,4 +1,4 @@
-//! A number with a name of its own.
+//! A newtype of a number.
 
 use bessemer::prelude::*;
 
@@ -7,30 +7,30 @@ use bessemer::prelude::*;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Volts(pub f32);
 
-/// The kind.
+/// The type of this kind.
 pub type It = Volts;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f32;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     Volts(x)
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Volts(-0.0)
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Volts(5.5)
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it.0 += 1.0;

@@ -1,4 +1,4 @@
-//! A matrix with a name of its own.
+//! A newtype of a matrix.
 
 use bessemer::prelude::*;
 
@@ -7,12 +7,12 @@ use bessemer::prelude::*;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Covariance(pub Matrix2<f64>);
 
-/// The kind.
+/// The type of this kind.
 pub type It = Covariance;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut made = other();
@@ -20,19 +20,19 @@ pub fn with(x: Number) -> It {
     made
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Covariance(Matrix2::new(1.0, 2.0, 3.0, 4.0))
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Covariance(Matrix2::identity())
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it.0[(0, 1)] = 7.0;

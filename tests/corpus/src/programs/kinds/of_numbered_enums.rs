@@ -1,4 +1,4 @@
-//! Enums with numbers of their own.
+//! Enums with explicit numbers.
 
 use bessemer::prelude::*;
 
@@ -13,22 +13,22 @@ pub enum Opcode {
     Erase = 0xd8,
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = Opcode;
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Opcode::Read
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Opcode::Erase
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = if *it == Opcode::Read { Opcode::Write } else { Opcode::Read };

@@ -1,31 +1,31 @@
-//! Options of a word.
+//! Options of a float.
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = Option<f64>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     Some(x)
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Some(-0.5)
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     None
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = if it.is_some() { None } else { Some(4.0) };

@@ -12,22 +12,22 @@ pub enum Packet {
     Data([u16; 2]),
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = (Option<Packet>, Option<Option<u8>>);
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     (Some(Packet::Ack(7)), Some(None))
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     (None, Some(Some(7)))
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = (Some(Packet::Data([1, 2])), None);

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// A way along points.
+/// A path along points.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Passage {
@@ -10,30 +10,30 @@ pub struct Passage {
     pub points: [f32; 3],
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = Option<Passage>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f32;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     Some(Passage { length: 1, points: [0.0, x, 1.0] })
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Some(Passage { length: 2, points: [0.5, -0.5, 1.0] })
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     None
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     if let Some(route) = it {

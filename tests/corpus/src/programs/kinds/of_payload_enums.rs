@@ -6,39 +6,39 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum ServoOrder {
-    /// Nothing.
+    /// No drive.
     #[default]
     Coast,
-    /// A speed, rad/s.
+    /// Drive at a speed, rad/s.
     Speed(f64),
-    /// Target position and its parameters.
+    /// Drive to a position.
     Position { angle: f32, steps: [u16; 3], hold: bool },
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = ServoOrder;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     ServoOrder::Speed(x)
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     ServoOrder::Position { angle: 0.5, steps: [1, 2, 3], hold: true }
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     ServoOrder::Speed(-1.0)
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = match *it {

@@ -12,22 +12,22 @@ pub enum Gear {
     Drive,
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = Gear;
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Gear::Reverse
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Gear::Drive
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = match *it {

@@ -11,22 +11,22 @@ pub enum Damage {
     Parity(u8),
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = Result<u16, Damage>;
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Ok(500)
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Err(Damage::Parity(3))
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = match *it {

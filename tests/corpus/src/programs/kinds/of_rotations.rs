@@ -2,30 +2,30 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = Rotation3<f64>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     Rotation3::from_matrix_unchecked(Matrix3::repeat(x))
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Rotation3::identity()
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Rotation3::from_matrix_unchecked(Matrix3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0))
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = it.transpose();

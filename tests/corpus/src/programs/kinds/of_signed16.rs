@@ -2,22 +2,22 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = i16;
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     i16::MIN
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     i16::MAX
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = it.wrapping_sub(3);

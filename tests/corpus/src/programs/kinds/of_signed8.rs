@@ -2,22 +2,22 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = i8;
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     i8::MIN
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     i8::MAX
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = it.wrapping_sub(3);

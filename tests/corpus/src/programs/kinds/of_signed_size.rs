@@ -1,23 +1,23 @@
-//! Differences of sizes: 64 bits on every target.
+//! Signed sizes (`isize`): 64 bits on every target.
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = isize;
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     isize::MIN
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     -1
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = it.wrapping_sub(3);

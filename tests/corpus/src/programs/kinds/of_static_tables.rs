@@ -1,8 +1,8 @@
-//! Statics: a table that has a place.
+//! Statics: tables with an address.
 
 use bessemer::prelude::*;
 
-/// A gain from a speed on.
+/// A gain, and the speed from which it applies.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gain {
@@ -18,12 +18,12 @@ static GAINS: [Gain; 3] = [
     Gain { from: 200, share: 0.25 },
 ];
 
-/// The kind.
+/// The type of this kind.
 pub type It = [Gain; 3];
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f32;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     let mut all = GAINS;
@@ -31,13 +31,13 @@ pub fn with(x: Number) -> It {
     all
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     GAINS
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     let mut all = GAINS;
@@ -45,7 +45,7 @@ pub fn other() -> It {
     all
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it[2] = GAINS[0];

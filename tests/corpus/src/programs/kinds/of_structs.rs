@@ -1,4 +1,4 @@
-//! Structs of words.
+//! Structs of numbers.
 
 use bessemer::prelude::*;
 
@@ -12,30 +12,30 @@ pub struct Reading {
     pub on: bool,
 }
 
-/// The kind.
+/// The type of this kind.
 pub type It = Reading;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     Reading { value: x, ..Reading::default() }
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     Reading { sensor: 3, value: 1.0e-7, count: -4, on: true }
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     Reading::default()
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it.value = 2.0;

@@ -11,25 +11,25 @@ pub struct NamedUnit {
     pub unit: Text<3>,
 }
 
-/// No name.
+/// An empty name.
 const NAMELESS: Text<7> = Text::new();
 
-/// The kind.
+/// The type of this kind.
 pub type It = NamedUnit;
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     NamedUnit { number: 1, name: Text::of(b"height"), unit: Text::of(b"m") }
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     NamedUnit { number: 2, name: NAMELESS, unit: Text::of(b"rad") }
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it.name.clear();

@@ -2,30 +2,30 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = (u8, f64, bool);
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     (3, x, false)
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     (1, 2.5, true)
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     (0, -2.5, true)
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it.1 += 1.0;

@@ -2,30 +2,30 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = UnitQuaternion<f64>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     UnitQuaternion::new_unchecked(Quaternion::new(x, 0.0, 0.0, 1.0))
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     UnitQuaternion::identity()
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     UnitQuaternion::new_normalize(Quaternion::new(1.0, 2.0, 3.0, 4.0))
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = it.inverse();

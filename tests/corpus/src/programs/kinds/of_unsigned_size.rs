@@ -1,23 +1,23 @@
-//! Sizes and indices: 64 bits on every target.
+//! Sizes and indices (`usize`): 64 bits on every target.
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = usize;
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     usize::MAX
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     0
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     *it = it.wrapping_add(5);

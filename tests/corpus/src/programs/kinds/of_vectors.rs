@@ -2,30 +2,30 @@
 
 use bessemer::prelude::*;
 
-/// The kind.
+/// The type of this kind.
 pub type It = SVector<f64, 5>;
-/// Its numbers.
+/// The type of its numbers.
 pub type Number = f64;
 
-/// One with a number of its own.
+/// A value that contains the number `x`.
 #[function]
 pub fn with(x: Number) -> It {
     SVector::<f64, 5>::repeat(x)
 }
 
-/// One of them.
+/// A first value.
 #[function]
 pub fn one() -> It {
     vector![1.0, 2.0, 3.0, 4.0, 5.0]
 }
 
-/// Another.
+/// A second, different value.
 #[function]
 pub fn other() -> It {
     SVector::<f64, 5>::repeat(0.5)
 }
 
-/// Makes it a third.
+/// Changes the value to a third one.
 #[function]
 pub fn change(it: &mut It) {
     it[4] = -1.0;

@@ -1,8 +1,8 @@
-//! `cholesky` gives nothing unless the matrix is positive definite.
+//! `cholesky` returns `None` unless the matrix is positive definite.
 
 use bessemer::prelude::*;
 
-/// Normalised innovation squared, νᵀ·S⁻¹·ν; negative if S is no covariance.
+/// Normalised innovation squared, νᵀ·S⁻¹·ν; negative if S is not positive definite.
 #[function]
 pub fn surprise(s: &Matrix3<f64>, difference: &Vector3<f64>) -> f64 {
     match s.cholesky() {

@@ -1,9 +1,9 @@
-//! Closures over the elements of matrices: `map`, `zip_map`, `apply`, `fold` and the like become
-//! loops by columns, as in nalgebra; `from_fn` and `map_with_location` pass the row and the column.
+//! Closures over the elements of matrices. `map`, `zip_map`, `apply`, `fold` and similar methods become loops by
+//! columns, as in nalgebra; `from_fn` and `map_with_location` pass the row and the column.
 
 use bessemer::prelude::*;
 
-/// Each element, but not beyond a limit.
+/// The matrix with each element limited in magnitude.
 #[function]
 pub fn limited(a: &Matrix3<f64>, limit: f64) -> Matrix3<f64> {
     a.map(|x| if x > limit { limit } else { x })
@@ -15,13 +15,13 @@ pub fn blended(a: &Matrix3<f32>, b: &Matrix3<f32>, share: f32) -> Matrix3<f32> {
     a.zip_map(b, |x, y| x + (y - x) * share)
 }
 
-/// The larger of two, element by element; a NaN counts for nothing.
+/// The larger of two elements for each position; a NaN is ignored.
 #[function]
 pub fn larger(a: &Matrix2<f64>, b: &Matrix2<f64>) -> Matrix2<f64> {
     a.zip_map(b, f64::max)
 }
 
-/// Takes a step towards a goal, in each part at most so far.
+/// Moves towards a goal; each component changes by at most `most`.
 #[function]
 pub fn step(position: &mut Vector3<f64>, goal: &Vector3<f64>, most: f64) {
     position.zip_apply(goal, |x, y| {
@@ -30,7 +30,7 @@ pub fn step(position: &mut Vector3<f64>, goal: &Vector3<f64>, most: f64) {
     });
 }
 
-/// Rounds in place, and counts what was negative.
+/// Rounds in place; returns the number of negative elements.
 #[function]
 pub fn rounded(a: &mut SMatrix<f32, 2, 4>) -> u32 {
     a.apply(|x| *x = x.floor());
@@ -51,7 +51,7 @@ pub fn second_difference() -> SMatrix<f64, 4, 4> {
     })
 }
 
-/// Fades what is far from the diagonal.
+/// Reduces the elements far from the diagonal.
 #[function]
 pub fn faded(a: &Matrix3<f64>) -> Matrix3<f64> {
     a.map_with_location(|row, column, x| if row > column { x / ((row - column) as f64 + 1.0) } else { x })
@@ -65,7 +65,7 @@ pub fn inner(a: &Matrix2<f64>, b: &Matrix2<f64>) -> (f64, f64) {
     (both, squares)
 }
 
-/// An element by one index, by columns.
+/// An element by a single index, which counts by columns.
 #[function]
 pub fn element(a: &Matrix3<f64>, index: usize) -> f64 {
     a[index]

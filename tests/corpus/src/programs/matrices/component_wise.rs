@@ -1,4 +1,4 @@
-//! Operations on each component nest into one loop.
+//! Component-wise operations on vectors are merged into one loop.
 
 use bessemer::prelude::*;
 

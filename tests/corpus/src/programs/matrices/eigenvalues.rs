@@ -1,8 +1,8 @@
-//! Eigenvalues of symmetric matrices and singular values: routines of the DSL's own, with a bound.
+//! Eigenvalues of symmetric matrices and singular values: the DSL's own routines with a bounded number of iterations.
 
 use bessemer::prelude::*;
 
-/// The axes of an ellipsoid of errors: its half lengths, the shortest first, and its directions.
+/// The axes of an error ellipsoid: half their lengths, the shortest first, and their directions.
 #[function]
 pub fn ellipsoid(covariance: &Matrix3<f64>) -> (Vector3<f64>, Matrix3<f64>) {
     let eigen = bessemer::linear::symmetric_eigen(covariance);
@@ -15,13 +15,13 @@ pub fn condition(h: &SMatrix<f64, 4, 2>) -> f64 {
     bessemer::linear::svd(h).condition()
 }
 
-/// The command of two motors that comes closest to a moment about three axes.
+/// The command of two motors that comes closest to a moment about three axes, in least squares.
 #[function]
 pub fn allocated(effect: &SMatrix<f32, 3, 2>, moment: &Vector3<f32>) -> Vector2<f32> {
     bessemer::linear::svd(effect).solve(moment, 1e-6)
 }
 
-/// The forces of five jets that push the least and give two moments; where they cannot give both, the nearest.
+/// The smallest forces of five jets for two moments; if there are none, the nearest. Also the rank.
 #[function]
 pub fn shares(effect: &SMatrix<f64, 5, 2>) -> (SMatrix<f64, 2, 5>, u32) {
     let parts = bessemer::linear::svd(effect);

@@ -1,8 +1,8 @@
-//! Elements by row and column, by place, and by the letters of short vectors.
+//! Elements by row and column, by position, and by the letters of short vectors.
 
 use bessemer::prelude::*;
 
-/// The rotation about the third axis whose sine and cosine are given.
+/// The rotation about the third axis with this sine and cosine.
 #[function]
 pub fn turn(sine: f64, cosine: f64) -> Matrix3<f64> {
     let mut matrix = Matrix3::identity();
@@ -19,7 +19,7 @@ pub fn angle(turn: &Matrix3<f64>) -> f64 {
     turn.m21.atan2(turn.m11)
 }
 
-/// The parts of a vector in another order.
+/// The components of a vector in another order.
 #[function]
 pub fn reordered(v: &Vector3<f32>) -> Vector3<f32> {
     Vector3::new(v.z, v.x, v[1])

@@ -1,8 +1,8 @@
-//! The largest and smallest elements, and where they are. A NaN hides what comes before it, as in nalgebra.
+//! The largest and smallest elements and their indices. As in nalgebra, the elements before a NaN do not count.
 
 use bessemer::prelude::*;
 
-/// The range of a matrix' elements.
+/// The difference of the largest and the smallest element.
 #[function]
 pub fn range(a: &SMatrix<f64, 2, 3>) -> f64 {
     a.max() - a.min()
@@ -20,7 +20,7 @@ pub fn worst(error: &Vector3<f64>) -> usize {
     error.iamax()
 }
 
-/// A command within limits, part by part.
+/// A command limited in each component.
 #[function]
 pub fn within(command: &Vector3<f64>, low: &Vector3<f64>, high: &Vector3<f64>) -> Vector3<f64> {
     command.sup(low).inf(high)

@@ -1,8 +1,8 @@
-//! Methods that fill, copy and exchange parts of matrices. An index beyond the end is a fault.
+//! Methods that fill, copy and swap parts of matrices. An index out of range is a fault.
 
 use bessemer::prelude::*;
 
-/// Makes a covariance symmetric and its diagonal at least so large.
+/// Makes a covariance symmetric, and each element of its diagonal at least `least`.
 #[function]
 pub fn tidy(p: &mut Matrix3<f64>, least: f64) {
     p.fill_lower_triangle_with_upper_triangle();
@@ -10,7 +10,7 @@ pub fn tidy(p: &mut Matrix3<f64>, least: f64) {
     p.set_diagonal(&diagonal);
 }
 
-/// Forgets what is known of one state.
+/// Resets the estimate of one state to a variance.
 #[function]
 pub fn forget(p: &mut Matrix3<f64>, state: usize, variance: f64) {
     p.fill_row(state, 0.0);
@@ -18,14 +18,14 @@ pub fn forget(p: &mut Matrix3<f64>, state: usize, variance: f64) {
     p[(state, state)] = variance;
 }
 
-/// Exchanges two rows.
+/// Swaps two rows.
 #[function]
 pub fn exchanged(mut a: SMatrix<f32, 3, 2>, one: usize, other: usize) -> SMatrix<f32, 3, 2> {
     a.swap_rows(one, other);
     a
 }
 
-/// A part of the identity.
+/// Resets a covariance to a multiple of the identity.
 #[function]
 pub fn reset(p: &mut Matrix2<f64>, variance: f64) {
     p.fill_with_identity();

@@ -1,5 +1,4 @@
-//! Matrices of integers: arithmetic is checked, element by element; what fills, exchanges and copies is as for
-//! floats.
+//! Matrices of integers: arithmetic is checked for each element; methods that fill, swap and copy work as for floats.
 
 use bessemer::prelude::*;
 
@@ -9,26 +8,26 @@ pub fn corrected(counts: &Matrix2<i32>, offsets: &Matrix2<i32>, gain: i32) -> Ma
     (counts - offsets) * gain + Matrix2::identity()
 }
 
-/// A product adds its terms in their order.
+/// A product adds its terms in order.
 #[function]
 pub fn mixed(weights: &Matrix2x3<i16>, levels: &Vector3<i16>) -> Vector2<i16> {
     weights * levels
 }
 
-/// Element by element, and by a number.
+/// Divides element by element, and by a number.
 #[function]
 pub fn shares(parts: &Vector3<u8>, wholes: &Vector3<u8>, divisor: u8) -> Vector3<u8> {
     parts.component_div(wholes) + parts.component_mul(wholes) / divisor
 }
 
-/// The opposite, in place of the same.
+/// Negates a matrix in place.
 #[function]
 pub fn turned(grid: &mut Matrix3<i8>) {
     *grid = -*grid;
     *grid += Matrix3::from_diagonal_element(1);
 }
 
-/// A map of 4 by 4 cells.
+/// Clears a row of a map of 4 by 4 cells.
 #[function]
 pub fn cleared(map: &mut Matrix4<u8>, row: usize) {
     map.fill_row(row, 9);
@@ -38,7 +37,7 @@ pub fn cleared(map: &mut Matrix4<u8>, row: usize) {
     map.transpose_mut();
 }
 
-/// Summary of all elements.
+/// Sum, minimum, maximum and trace.
 #[function]
 pub fn summary(map: &Matrix3<i32>) -> (i32, i32, i32, i32) {
     (map.sum(), map.max(), map.min(), map.trace())
@@ -50,7 +49,7 @@ pub fn edges(map: &Matrix2x3<u16>) -> (RowVector3<u16>, Vector2<u16>) {
     (map.row_sum(), map.column_sum())
 }
 
-/// Flags are elements, too.
+/// A matrix of `bool`.
 #[function]
 pub fn flagged(flags: &mut Matrix2<bool>) -> Matrix2<bool> {
     flags.swap((0, 0), (1, 1));

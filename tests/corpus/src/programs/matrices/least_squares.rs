@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The line `a + b·x` that fits six points best; none if they have one x.
+/// The line `a + b·x` that fits six points best; `None` if all have the same x.
 #[function]
 pub fn line(x: &Vector6<f64>, y: &Vector6<f64>) -> Option<Vector2<f64>> {
     let mut rows = SMatrix::<f64, 6, 2>::from_element(1.0);

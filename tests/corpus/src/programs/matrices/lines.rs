@@ -1,8 +1,8 @@
-//! The columns and the rows of a matrix as any other iterator, read and written.
+//! Iterators over the columns and rows of a matrix, for reading and writing.
 
 use bessemer::prelude::*;
 
-/// Counted, beside something else, one after the other, and searched from the last on.
+/// Columns and rows enumerated, zipped, chained, and searched from the end.
 #[function]
 pub fn read(m: &Matrix3x4<f64>, w: &[f64; 4]) -> (f64, f64, f64, Option<usize>) {
     let far = m.column_iter().enumerate().skip(1).map(|(i, c)| c.norm() * w[i]).fold(0.0, f64::max);
@@ -12,7 +12,7 @@ pub fn read(m: &Matrix3x4<f64>, w: &[f64; 4]) -> (f64, f64, f64, Option<usize>) 
     (far, zipped, both, found)
 }
 
-/// Written where they are, until one is enough.
+/// Writes columns until a condition holds.
 #[function]
 pub fn written(m: &mut Matrix3x4<f64>, w: &[f64; 4]) {
     for (mut column, w) in m.column_iter_mut().zip(w) {
@@ -36,7 +36,7 @@ pub fn extremes(m: &Matrix3x4<f32>) -> (Option<usize>, Option<f32>) {
     (first, norms.min_by(f32::total_cmp))
 }
 
-/// Views under another name, named where the matrix is written, and left while one lives.
+/// Views under a second name, named while the matrix is written, and an early return.
 #[function]
 pub fn other_names(a: &mut Matrix4<f64>, b: &Vector4<f64>) -> Option<f64> {
     let mut first = a.column_mut(0);
@@ -57,7 +57,7 @@ pub fn other_names(a: &mut Matrix4<f64>, b: &Vector4<f64>) -> Option<f64> {
     Some(b.z)
 }
 
-/// A part of a part, its elements one after the other, and a large part that a function reads and writes.
+/// A view of a view, its elements in order, and a large view that a function reads and writes.
 #[function]
 pub fn parts_of_parts(m: &mut SMatrix<f64, 6, 6>, at: usize, by: f64) -> f64 {
     let mut block = m.fixed_view_mut::<3, 4>(1, at);

@@ -1,8 +1,8 @@
-//! `lu` factors a matrix once for several systems of equations; its result is held in a local.
+//! `lu` factors a matrix once for several systems of equations; its result is a local variable.
 
 use bessemer::prelude::*;
 
-/// The solution of a system, improved once by its own residual; none if the matrix is singular.
+/// The solution of a system, refined once by its residual; `None` if the matrix is singular.
 #[function]
 pub fn refined(a: &Matrix3<f64>, b: &Vector3<f64>) -> Option<Vector3<f64>> {
     let lu = a.lu();

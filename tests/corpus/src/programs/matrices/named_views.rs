@@ -1,8 +1,8 @@
-//! Views that are written under a name, or by a method: `let mut part = m.column_mut(j); part += &v;`.
+//! Views that are written through a name, or by a method: `let mut part = m.column_mut(j); part += &v;`.
 
 use bessemer::prelude::*;
 
-/// Adds to the velocity of a state, and what that makes of its position.
+/// Integrates an acceleration to the velocity of a state, and the velocity to its position.
 #[function]
 pub fn advance(state: &mut SVector<f64, 6>, acceleration: &Vector3<f64>, period: f64) {
     let way = state.fixed_rows::<3>(3) * period + acceleration * (0.5 * period * period);
@@ -12,7 +12,7 @@ pub fn advance(state: &mut SVector<f64, 6>, acceleration: &Vector3<f64>, period:
     velocity += acceleration * period;
 }
 
-/// Changes a block, then reads it.
+/// Changes a block and then reads it.
 #[function]
 pub fn changed(covariance: &mut Matrix4<f64>, noise: &Matrix2<f64>, least: f64) -> f64 {
     let mut block = covariance.fixed_view_mut::<2, 2>(0, 2);
@@ -24,7 +24,7 @@ pub fn changed(covariance: &mut Matrix4<f64>, noise: &Matrix2<f64>, least: f64) 
     block.trace()
 }
 
-/// A place that is a value is checked where the view is named; the function may be left while it lives.
+/// The position of a view is checked at its `let`; the function may return while the view is in scope.
 #[function]
 pub fn up_to(m: &mut Matrix4<f64>, column: usize, by: &Vector4<f64>, most: f64) -> Option<f64> {
     let mut part = m.column_mut(column);
@@ -40,7 +40,7 @@ pub fn up_to(m: &mut Matrix4<f64>, column: usize, by: &Vector4<f64>, most: f64) 
     Some(part.sum())
 }
 
-/// Every column and every row, each under a name.
+/// Names every column and then every row.
 #[function]
 pub fn scaled(m: &mut SMatrix<f64, 2, 3>, by: &Vector2<f64>) {
     for mut column in m.column_iter_mut() {
@@ -52,7 +52,7 @@ pub fn scaled(m: &mut SMatrix<f64, 2, 3>, by: &Vector2<f64>) {
     }
 }
 
-/// Methods that change a view, and elements of one.
+/// Methods that change a view, and elements of a view.
 #[function]
 pub fn by_methods(m: &mut Matrix3<f64>, v: &Vector3<f64>, a: &Matrix2<f64>) -> f64 {
     let length = m.column_mut(0).normalize_mut();
@@ -73,7 +73,7 @@ pub fn lengths(m: &Matrix3<f32>) -> (f32, f32) {
     (columns, m.row_iter().map(|row| row.amax()).fold(0.0, f32::max))
 }
 
-/// Named beside another field of the same struct.
+/// A view next to another field of the same struct.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Filter {
@@ -83,7 +83,7 @@ pub struct Filter {
 
 #[component]
 impl Filter {
-    /// Adds the noise to one diagonal, and counts what has grown beyond a limit.
+    /// Adds noise to a diagonal; returns the number of variances beyond a limit.
     #[entry]
     pub fn grow(&mut self, from: usize, limit: f64) -> u32 {
         let mut count = 0;

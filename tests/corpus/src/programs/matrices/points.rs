@@ -12,7 +12,7 @@ pub struct Way {
     pub from: Point3<f64>,
 }
 
-/// Distance, and midpoint of the way.
+/// Length and midpoint of the way.
 #[function]
 pub fn halfway(way: &Way) -> (f64, Point3<f64>) {
     let between = way.to - way.from;
@@ -28,7 +28,7 @@ pub fn moved(mut point: Point2<f32>, by: Translation2<f32>) -> Point2<f32> {
     by * by * back
 }
 
-/// The part of a vector along a direction.
+/// The component of a vector along a direction.
 #[function]
 pub fn along(vector: &Vector3<f64>, direction: &Vector3<f64>) -> Vector3<f64> {
     let direction = Unit::new_normalize(*direction);

@@ -2,13 +2,13 @@
 
 use bessemer::prelude::*;
 
-/// An arm of a robot: each joint on the one before.
+/// The arm of a robot; each joint is mounted on the one before.
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arm {
-    /// Each joint, seen from the one before.
+    /// Pose of each joint relative to the one before.
     pub joints: [Isometry3<f64>; 3],
-    /// The tool at its end, seen from the base.
+    /// Pose of the tool relative to the base.
     pub tool: Isometry3<f64>,
 }
 
@@ -20,7 +20,7 @@ impl Default for Arm {
 
 #[component]
 impl Arm {
-    /// Turns a joint; where the tool points then.
+    /// Turns a joint; returns the new position of the tool.
     #[entry(infallible)]
     pub fn turn(&mut self, at: u8, by: &UnitQuaternion<f64>) -> Point3<f64> {
         let at = (at % 3) as usize;
@@ -37,13 +37,13 @@ pub fn seen(camera: &Isometry3<f64>, point: &Point3<f64>) -> (Point3<f64>, Vecto
     (back * point, camera * Vector3::z())
 }
 
-/// One pose, seen from another, in three ways.
+/// One pose relative to another, computed in three ways.
 #[function]
 pub fn relative(one: &Isometry3<f64>, other: &Isometry3<f64>) -> [Isometry3<f64>; 3] {
     [one.inv_mul(other), one.inverse() * other, other / one]
 }
 
-/// From parts, and with each part on either side.
+/// A pose from its parts, and products with each part on either side.
 #[function]
 pub fn with_parts(by: &Translation3<f32>, q: &UnitQuaternion<f32>) -> Isometry3<f32> {
     let pose = Isometry3::from_parts(*by, *q);
@@ -57,20 +57,20 @@ pub fn with_parts(by: &Translation3<f32>, q: &UnitQuaternion<f32>) -> Isometry3<
     q / all
 }
 
-/// There and back.
+/// A point and a vector transformed by a pose and back.
 #[function]
 pub fn there_and_back(pose: &Isometry3<f64>, p: &Point3<f64>, v: &Vector3<f64>) -> (Point3<f64>, Vector3<f64>) {
     let there = pose.transform_point(p) + pose.transform_vector(v);
     (pose.inverse_transform_point(&there), pose.inverse_transform_vector(v))
 }
 
-/// As a matrix.
+/// The pose as a matrix.
 #[function]
 pub fn matrix(pose: &Isometry3<f64>) -> Matrix4<f64> {
     pose.to_homogeneous()
 }
 
-/// Equality of two poses, and their distance.
+/// Tests two poses for equality, and returns their distance.
 #[function]
 pub fn apart(one: Isometry3<f64>, other: Isometry3<f64>) -> (bool, f64) {
     (one == other, (one.translation.vector - other.translation.vector).norm())

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// A linear system some steps ahead.
+/// The transition matrix of a linear system over some steps.
 #[function]
 pub fn ahead(a: &Matrix2<f64>, steps: u32) -> Matrix2<f64> {
     a.pow(steps)

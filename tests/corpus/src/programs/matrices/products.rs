@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// One step of a linear system.
+/// Advances a linear system by one step.
 #[function]
 pub fn advanced(
     system: &Matrix2<f64>,

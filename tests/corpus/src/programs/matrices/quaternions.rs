@@ -1,14 +1,14 @@
-//! Quaternions of any length.
+//! Quaternions, not necessarily of length 1.
 
 use bessemer::prelude::*;
 
-/// The rate at which an attitude changes at these rates, rad/s.
+/// The derivative of an attitude at angular rates in rad/s.
 #[function]
 pub fn rate(q: &Quaternion<f64>, rates: &Vector3<f64>) -> Quaternion<f64> {
     q * Quaternion::from_imag(*rates) * 0.5
 }
 
-/// One step of Runge's method, of a period, s.
+/// Advances an attitude by a period, in s, with the midpoint method of Runge.
 #[function]
 pub fn step(q: &Quaternion<f64>, rates: &Vector3<f64>, period: f64) -> Quaternion<f64> {
     let first = rate(q, rates);
@@ -16,7 +16,7 @@ pub fn step(q: &Quaternion<f64>, rates: &Vector3<f64>, period: f64) -> Quaternio
     (q + second * period).normalize()
 }
 
-/// All the operators.
+/// Uses all operators.
 #[function]
 pub fn operators(a: Quaternion<f64>, b: &Quaternion<f64>, factor: f64) -> Quaternion<f64> {
     let mut c = -a * b - a / factor + factor * b;
@@ -30,19 +30,19 @@ pub fn operators(a: Quaternion<f64>, b: &Quaternion<f64>, factor: f64) -> Quater
     2.0 * c
 }
 
-/// The measures.
+/// Uses dot product and norms.
 #[function]
 pub fn measures(a: &Quaternion<f32>, b: &Quaternion<f32>) -> [f32; 4] {
     [a.norm(), a.magnitude_squared(), a.dot(b), a.lerp(b, 0.25).squared().scalar()]
 }
 
-/// The inverse, or none of what is too short.
+/// The inverse; `None` if the quaternion is too short.
 #[function]
 pub fn inverse(q: &Quaternion<f64>) -> Option<Quaternion<f64>> {
     q.try_inverse()
 }
 
-/// From its parts, and apart again.
+/// Constructs a quaternion from its parts and reads them.
 #[function]
 pub fn parts(scalar: f64, vector: &Vector3<f64>) -> Vector3<f64> {
     let mut q = Quaternion::from_parts(scalar, *vector).conjugate();
@@ -50,7 +50,7 @@ pub fn parts(scalar: f64, vector: &Vector3<f64>) -> Vector3<f64> {
     q.imag() * length + Quaternion::from_real(scalar).half().imag()
 }
 
-/// Equality of two quaternions, and a test of the first for zero.
+/// Tests two quaternions for equality, and the first for zero.
 #[function]
 pub fn same(a: Quaternion<f64>, b: Quaternion<f64>) -> (bool, bool) {
     (a == b, a == Quaternion::default())

@@ -1,12 +1,12 @@
-//! Rotations as matrices: a matrix in the C.
+//! Rotations as matrices; each is a matrix in the C, too.
 
 use bessemer::prelude::*;
 
-/// Turns what the sensor measures into the vehicle's frame.
+/// Rotates measurements of a sensor into the vehicle's frame.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mounting {
-    /// From the sensor to the vehicle.
+    /// Rotation from the sensor's frame to the vehicle's.
     pub rotation: Rotation3<f64>,
 }
 
@@ -18,7 +18,7 @@ impl Mounting {
         self.rotation * measured
     }
 
-    /// Mounts the sensor anew, turned on by `more`.
+    /// Rotates the mounting by `more`; returns the angle.
     #[entry(infallible)]
     pub fn mount(&mut self, more: &Rotation3<f64>) -> f64 {
         self.rotation = more * self.rotation;
@@ -26,7 +26,7 @@ impl Mounting {
     }
 }
 
-/// Operators and methods.
+/// Uses operators and methods.
 #[function]
 pub fn between(a: &Rotation3<f64>, b: Rotation3<f64>) -> Rotation3<f64> {
     let mut back = a.inverse() * b / a;
@@ -35,7 +35,7 @@ pub fn between(a: &Rotation3<f64>, b: Rotation3<f64>) -> Rotation3<f64> {
     back
 }
 
-/// There and back, of vectors and points.
+/// A vector and a point rotated, and back.
 #[function]
 pub fn moved(m: &Rotation3<f32>, v: &Vector3<f32>, p: &Point3<f32>) -> (Vector3<f32>, Point3<f32>) {
     let there = m.transform_vector(v) + m * v;
@@ -43,20 +43,20 @@ pub fn moved(m: &Rotation3<f32>, v: &Vector3<f32>, p: &Point3<f32>) -> (Vector3<
     (there, m.inverse_transform_point(&point))
 }
 
-/// A covariance, turned.
+/// A covariance in the rotated frame.
 #[function]
 pub fn covariance(m: &Rotation3<f64>, p: &Matrix3<f64>) -> Matrix3<f64> {
     m * p * m.inverse()
 }
 
-/// From a matrix, and as one.
+/// A rotation from a matrix, and the matrix of a rotation.
 #[function]
 pub fn raw(m: Matrix3<f64>) -> f64 {
     let rotation = Rotation3::from_matrix_unchecked(m);
     rotation[(2, 1)] + rotation.into_inner()[(0, 2)]
 }
 
-/// In the plane.
+/// A rotation in the plane.
 #[function]
 pub fn plane(m: &Rotation2<f64>, v: &Vector2<f64>) -> Vector2<f64> {
     if *m == Rotation2::identity() { *v } else { m.transpose() * (m * v) }

@@ -1,4 +1,4 @@
-//! `dot`, `tr_mul` and norms sum in nalgebra's order, which for long vectors has eight lanes.
+//! `dot`, `tr_mul` and norms add in nalgebra's order, which for long vectors has eight partial sums.
 
 use bessemer::prelude::*;
 

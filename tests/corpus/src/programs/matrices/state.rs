@@ -1,4 +1,4 @@
-//! Matrices stand in structs and in the state of components.
+//! Matrices in structs and in the state of components.
 
 use bessemer::prelude::*;
 
@@ -18,7 +18,7 @@ impl Default for Tracker {
 
 #[component]
 impl Tracker {
-    /// One measurement, m, after `time` s.
+    /// Takes the position in m measured `time` s after the last; returns position and speed.
     #[entry(infallible)]
     pub fn step(&mut self, measured: f64, time: f64) -> Vector2<f64> {
         let predicted = Matrix2::new(1.0, time, 0.0, 1.0) * self.state;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The bias of each axis of a gyroscope from eight samples, and how noisy it is.
+/// The bias of each axis of a gyroscope from eight samples, and its variance.
 #[function]
 pub fn bias(samples: &SMatrix<f64, 3, 8>) -> (Vector3<f64>, Vector3<f64>) {
     (samples.column_mean(), samples.column_variance())
@@ -20,7 +20,7 @@ pub fn spread(window: &Vector6<f64>) -> f64 {
     window.variance()
 }
 
-/// The sums of the rows, each over the sum of all.
+/// The sum of each row as a fraction of the total.
 #[function]
 pub fn shares(a: &Matrix3<f64>) -> Vector3<f64> {
     a.column_sum() / a.sum()

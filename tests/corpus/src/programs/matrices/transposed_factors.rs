@@ -1,5 +1,5 @@
-//! Transposes that are read where they lie: as factors of products, beside other elements, and where the
-//! matrix itself is written.
+//! Transposes that are read without a copy: as factors of products, next to other elements, and where the matrix
+//! itself is written.
 
 use bessemer::prelude::*;
 
@@ -13,7 +13,7 @@ pub struct Belief {
     pub mean: Vector2<f64>,
 }
 
-/// The covariance of what has advanced, made symmetric in place.
+/// Advances the covariance, made symmetric in place.
 #[function]
 pub fn advance(belief: &mut Belief, advance: &Matrix2<f64>) {
     belief.covariance = advance * belief.covariance * advance.transpose();
@@ -21,7 +21,7 @@ pub fn advance(belief: &mut Belief, advance: &Matrix2<f64>) {
     belief.mean = advance.transpose() * belief.mean;
 }
 
-/// A covariance less what a measurement tells: a column times a row, and more.
+/// The covariance after a measurement: it uses a column times a row.
 #[function]
 pub fn corrected(
     covariance: &Matrix3<f64>,
@@ -33,7 +33,7 @@ pub fn corrected(
     kept * covariance * kept.transpose() + gain * gain.transpose() * variance
 }
 
-/// Twice transposed, a transposed oblong, and an oblong's own products.
+/// Double transposes, a transposed rectangular matrix, and its products.
 #[function]
 pub fn oblongs(a: &SMatrix<f32, 2, 3>, b: &SMatrix<f32, 3, 2>) -> (Matrix3<f32>, Matrix2<f32>, SMatrix<f32, 3, 2>) {
     let both = a.transpose() * b.transpose();
@@ -41,7 +41,7 @@ pub fn oblongs(a: &SMatrix<f32, 2, 3>, b: &SMatrix<f32, 3, 2>) -> (Matrix3<f32>,
     (both, a * a.transpose() + (b.transpose() * b) * 2.0, sum)
 }
 
-/// A row of sums, and a row beside its column.
+/// A row of sums, and a row next to its column.
 #[function]
 pub fn lines(a: &Vector4<f64>, b: &SMatrix<f64, 1, 4>) -> (SMatrix<f64, 1, 4>, Vector4<f64>, f64) {
     let across = a.transpose() + b;
@@ -49,7 +49,7 @@ pub fn lines(a: &Vector4<f64>, b: &SMatrix<f64, 1, 4>) -> (SMatrix<f64, 1, 4>, V
     (across, down, (across * down)[(0, 0)])
 }
 
-/// A large one: products of kernels with a transpose on either side.
+/// A larger matrix, with kernels for products with a transpose on either side.
 #[function]
 pub fn large(a: &SMatrix<f64, 5, 4>, b: &SMatrix<f64, 5, 6>) -> (SMatrix<f64, 4, 6>, SMatrix<f64, 5, 5>) {
     (a.transpose() * b, b * b.transpose() - a * a.transpose())

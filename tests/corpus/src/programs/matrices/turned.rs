@@ -1,22 +1,22 @@
-//! Rotations by nalgebra's own names: the functions of `bessemer::rotation` stand in their place.
+//! Rotations by nalgebra's names, which are replaced by the functions of `bessemer::rotation`.
 
 use bessemer::nalgebra::{Unit, UnitVector3};
 use bessemer::prelude::*;
 
-/// By three angles, and back.
+/// Converts three angles to a quaternion and back.
 #[function]
 pub fn there_and_back(roll: f64, pitch: f64, yaw: f64) -> (f64, f64, f64) {
     let q = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
     q.euler_angles()
 }
 
-/// The angles by a rotation matrix.
+/// Converts three angles to a matrix and back.
 #[function]
 pub fn by_matrix(roll: f32, pitch: f32, yaw: f32) -> (f32, f32, f32) {
     Rotation3::from_euler_angles(roll, pitch, yaw).euler_angles()
 }
 
-/// By an axis with a length, part of the way.
+/// A fraction of a rotation about an axis whose length is the angle.
 #[function]
 pub fn part_of_the_way(a: Vector3<f64>, b: Vector3<f64>, share: f64) -> Vector3<f64> {
     let from = UnitQuaternion::from_scaled_axis(a);
@@ -24,7 +24,7 @@ pub fn part_of_the_way(a: Vector3<f64>, b: Vector3<f64>, share: f64) -> Vector3<
     from.slerp(&to, share).scaled_axis()
 }
 
-/// The turn between two directions, by its axis and its angle.
+/// The rotation between two directions, as its axis and its angle.
 #[function]
 pub fn between(a: Vector3<f64>, b: Vector3<f64>) -> Option<(Vector3<f64>, f64)> {
     let (from, length) = Unit::try_new_and_get(a, 1e-6)?;
@@ -34,7 +34,7 @@ pub fn between(a: Vector3<f64>, b: Vector3<f64>) -> Option<(Vector3<f64>, f64)> 
     Some((axis.into_inner() * length, angle))
 }
 
-/// Part of the turn between two directions of any length; none where they are opposite.
+/// A fraction of the rotation between two directions of any length; `None` if they are opposite.
 #[function]
 pub fn share_between(a: &Vector3<f32>, b: &Vector3<f32>, share: f32) -> Option<[f32; 4]> {
     let whole = UnitQuaternion::rotation_between(a, b)?;
@@ -44,7 +44,7 @@ pub fn share_between(a: &Vector3<f32>, b: &Vector3<f32>, share: f32) -> Option<[
     Some([left.w, left.i, left.j, left.k])
 }
 
-/// About an axis.
+/// A rotation about an axis.
 #[function]
 pub fn about(axis: &UnitVector3<f32>, angle: f32) -> UnitQuaternion<f32> {
     UnitQuaternion::from_axis_angle(axis, angle)

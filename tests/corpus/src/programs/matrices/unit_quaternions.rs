@@ -2,13 +2,13 @@
 
 use bessemer::prelude::*;
 
-/// A vehicle's attitude, and that of the camera on it.
+/// A vehicle's attitude, and the attitude of its camera.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Attitudes {
-    /// From the body to the world.
+    /// Rotation from the body's frame to the world's.
     pub body: UnitQuaternion<f64>,
-    /// From the camera to the body.
+    /// Rotation from the camera's frame to the body's.
     pub camera: UnitQuaternion<f64>,
 }
 
@@ -18,7 +18,7 @@ pub fn in_world(attitudes: &Attitudes, seen: &Vector3<f64>) -> Vector3<f64> {
     attitudes.body * attitudes.camera * seen
 }
 
-/// The error of the attitude in the body's frame: twice the imaginary part, by the shorter way.
+/// The attitude error in the body's frame: twice the imaginary part, with the sign for the shorter rotation.
 #[function]
 pub fn error(wanted: &UnitQuaternion<f64>, is: &UnitQuaternion<f64>) -> Vector3<f64> {
     let error = is.inverse() * wanted;
@@ -26,13 +26,13 @@ pub fn error(wanted: &UnitQuaternion<f64>, is: &UnitQuaternion<f64>) -> Vector3<
     Vector3::new(error.i, error.j, error.k) * sign
 }
 
-/// Turned by rates, rad/s, for a period, s, to first order.
+/// The attitude after `period` s at rates in rad/s, to first order.
 #[function]
 pub fn turned(attitude: &UnitQuaternion<f32>, rates: Vector3<f32>, period: f32) -> UnitQuaternion<f32> {
     attitude.append_axisangle_linearized(&(rates * period))
 }
 
-/// Half of the way, and the rest of it.
+/// Half of a rotation, and the remaining rotation.
 #[function]
 pub fn halves(
     one: UnitQuaternion<f64>,
@@ -42,39 +42,39 @@ pub fn halves(
     (middle, middle.rotation_to(&other))
 }
 
-/// Equality of both rotations: a quaternion equals its opposite.
+/// Tests both rotations for equality; a quaternion equals its negative.
 #[function]
 pub fn same(one: &Attitudes, other: &Attitudes) -> (bool, bool) {
     (one == other, one.body == UnitQuaternion::new_unchecked(-one.body.into_inner()))
 }
 
-/// A quaternion that a sensor sent, brought to length 1; the identity if it is none.
+/// A received quaternion, normalised; the identity if it is too short.
 #[function]
 pub fn received(w: f64, i: f64, j: f64, k: f64) -> UnitQuaternion<f64> {
     let q = Quaternion::new(w, i, j, k);
     if q.norm_squared() > 0.5 { UnitQuaternion::from_quaternion(q) } else { UnitQuaternion::identity() }
 }
 
-/// To a matrix and back.
+/// Converts a rotation to a matrix and back.
 #[function]
 pub fn there_and_back(q: UnitQuaternion<f64>) -> UnitQuaternion<f64> {
     UnitQuaternion::from_rotation_matrix(&q.to_rotation_matrix())
 }
 
-/// With a matrix on either side.
+/// Products of a quaternion and a matrix, in both orders.
 #[function]
 pub fn mixed(q: &UnitQuaternion<f64>, m: &Rotation3<f64>) -> UnitQuaternion<f64> {
     (q * m) / q * (m / q) / m
 }
 
-/// The parts, one by one and as a vector.
+/// The parts of a quaternion, individually and as a vector.
 #[function]
 pub fn parts(q: &UnitQuaternion<f32>) -> f32 {
     let unit = q.quaternion();
     unit.w + q.coords[1] * q.as_ref().coords.y + q.as_vector().norm() + unit.dot(q) + q.norm()
 }
 
-/// Points and directions, there and back.
+/// Points and directions rotated, and back.
 #[function]
 pub fn points(
     q: &UnitQuaternion<f64>,
@@ -86,7 +86,7 @@ pub fn points(
     (back, q * d, q.to_homogeneous())
 }
 
-/// Rotations in a row, all of them.
+/// The product of several rotations.
 #[function]
 pub fn all(joints: &[UnitQuaternion<f64>; 4]) -> UnitQuaternion<f64> {
     let mut whole = UnitQuaternion::identity();
@@ -98,7 +98,7 @@ pub fn all(joints: &[UnitQuaternion<f64>; 4]) -> UnitQuaternion<f64> {
     whole / joints[0]
 }
 
-/// The axis, if there is one.
+/// The axis; zero if there is none.
 #[function]
 pub fn axis(q: &UnitQuaternion<f64>) -> Vector3<f64> {
     match q.axis() {

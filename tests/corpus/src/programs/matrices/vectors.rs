@@ -1,4 +1,4 @@
-//! Vectors are nalgebra's; in the C they are arrays. Each operation has nalgebra's own order, so its bits.
+//! Vectors are nalgebra's; in the C they are arrays. Each operation has nalgebra's order, and so the same bits.
 
 use bessemer::prelude::*;
 
@@ -9,7 +9,7 @@ pub fn velocity(velocity: &Vector3<f64>, force: &Vector3<f64>, mass: f64, time: 
     velocity + acceleration * time
 }
 
-/// The size of the part of `a` that is across `b`, for a `b` of length 1.
+/// The length of the component of `a` perpendicular to `b`, for a `b` of length 1.
 #[function]
 pub fn across(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     a.cross(b).norm()

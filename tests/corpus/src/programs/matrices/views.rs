@@ -14,7 +14,7 @@ pub fn attitude(covariance: &Matrix6<f64>) -> Matrix3<f64> {
     covariance.fixed_view::<3, 3>(3, 3).into_owned()
 }
 
-/// A state with a new velocity, its position halved.
+/// A state with a new velocity and half its position.
 #[function]
 pub fn moved(state: &SVector<f64, 6>, velocity: &Vector3<f64>) -> SVector<f64, 6> {
     let mut next = *state;

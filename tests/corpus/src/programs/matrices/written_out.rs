@@ -1,4 +1,4 @@
-//! Vectors and matrices from their elements: of any size with `vector!` and `matrix!`.
+//! Vectors and matrices from their elements, of any size, with `vector!` and `matrix!`.
 
 use bessemer::prelude::*;
 
@@ -8,7 +8,7 @@ pub fn taps(edge: f64) -> SVector<f64, 7> {
     vector![edge, -0.1, 0.25, 0.5, 0.25, -0.1, edge.abs()]
 }
 
-/// A model of position, speed and bias over a time, s.
+/// Transition matrix of position, speed and bias over a time, s.
 #[function]
 pub fn transition(time: f64) -> Matrix3<f64> {
     matrix![
@@ -18,13 +18,13 @@ pub fn transition(time: f64) -> Matrix3<f64> {
     ]
 }
 
-/// Two axes and what is across both, as columns.
+/// A frame of two axes and their cross product, as columns.
 #[function]
 pub fn frame(x: &Vector3<f32>, y: &Vector3<f32>) -> Matrix3<f32> {
     Matrix3::from_columns(&[*x, *y, x.cross(y)])
 }
 
-/// A table as a matrix, by rows.
+/// A matrix of a table's rows.
 #[function]
 pub fn table(values: &[f64; 6]) -> SMatrix<f64, 2, 3> {
     SMatrix::<f64, 2, 3>::from_row_slice(values)

@@ -1,8 +1,8 @@
-//! Parts of matrices are written where they are: a place that is constant, or bounded by a loop, needs no check.
+//! Writes to parts of matrices in place: a constant position, or one bounded by a loop, needs no check.
 
 use bessemer::prelude::*;
 
-/// A covariance, its blocks set one by one.
+/// A covariance whose blocks are set individually.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Blocks {
@@ -11,7 +11,7 @@ pub struct Blocks {
 
 #[component]
 impl Blocks {
-    /// Sets what belongs to the bias.
+    /// Sets the blocks of the bias.
     #[entry(infallible)]
     pub fn reset(&mut self, cross: &Matrix3<f64>, noise: f64) {
         self.p.fixed_view_mut::<3, 3>(0, 3).copy_from(cross);
@@ -19,14 +19,14 @@ impl Blocks {
         self.p.fixed_view_mut::<2, 2>(3, 4).fill(0.5);
     }
 
-    /// Exchanges two states.
+    /// Swaps two states.
     #[entry(infallible)]
     pub fn exchange(&mut self) {
         self.p.swap_rows(0, 1);
         self.p.swap_columns(0, 1);
     }
 
-    /// Adds to some columns, and clears others.
+    /// Adds to some columns and clears others.
     #[entry(infallible)]
     pub fn update(&mut self, gain: &SVector<f64, 6>, row: &SMatrix<f64, 1, 6>) {
         for i in 0..3 {
@@ -37,7 +37,7 @@ impl Blocks {
         self.p.column_mut(3).fill(0.0);
     }
 
-    /// Writes a part at a computed place, which is checked.
+    /// Writes a part at a computed position, which is checked.
     #[entry]
     pub fn set(&mut self, at: usize, part: &Vector3<f64>) {
         self.p.fixed_view_mut::<3, 1>(at, at).copy_from(part);

@@ -1,5 +1,5 @@
-//! `as` is Rust's: floats are cut and saturate, NaN becomes 0, integers wrap. Mixing types without it is an
-//! error of rustc.
+//! `as` works as in Rust: floats are truncated and saturate, NaN becomes 0, integers wrap. Mixed types without `as`
+//! are an error of rustc.
 
 use bessemer::prelude::*;
 
@@ -9,13 +9,13 @@ pub fn counts(duty: f64) -> u16 {
     (duty * 1023.0) as u16
 }
 
-/// The low byte, taken as a signed number.
+/// The low byte, interpreted as a signed number.
 #[function]
 pub fn low_byte(word: u32) -> i8 {
     word as i8
 }
 
-/// A number of any sign as a float and back.
+/// Converts an integer to a float and back.
 #[function]
 pub fn through_float(n: i64) -> i64 {
     n as f32 as i64

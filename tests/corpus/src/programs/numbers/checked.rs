@@ -1,8 +1,9 @@
-//! Integer arithmetic is checked: where Rust panics, the C returns a fault. What cannot overflow has no check.
+//! Integer arithmetic is checked: where Rust panics, the C returns a fault. Arithmetic that cannot overflow has no
+//! check.
 
 use bessemer::prelude::*;
 
-/// The mean of two counts: the sum of two `u16` may be too large.
+/// The mean of two counts; the sum of two `u16` may overflow.
 #[function]
 pub fn mean(a: u16, b: u16) -> u16 {
     (a + b) / 2

@@ -1,14 +1,14 @@
-//! Complex numbers: nalgebra's arithmetic, and the functions of `bessemer::complex` in place of the platform's.
+//! Complex numbers: nalgebra's arithmetic, and the functions of `bessemer::complex` instead of the platform's.
 
 use bessemer::complex;
 pub use bessemer::nalgebra::Complex;
 use bessemer::nalgebra::ComplexField;
 use bessemer::prelude::*;
 
-/// In single precision.
+/// A complex number in single precision.
 pub type C32 = Complex<f32>;
 
-/// The four operations, by reference and in place.
+/// The four operations, also by reference and in place.
 #[function]
 pub fn arithmetic(a: Complex<f64>, b: &Complex<f64>) -> Complex<f64> {
     let mut sum = a + b;
@@ -18,7 +18,7 @@ pub fn arithmetic(a: Complex<f64>, b: &Complex<f64>) -> Complex<f64> {
     -(sum / a) + Complex::i()
 }
 
-/// With real numbers, on either side.
+/// Operations with a real number on either side.
 #[function]
 pub fn with_reals(z: C32, x: f32) -> [C32; 4] {
     let mut scaled = z * 2.0;
@@ -27,7 +27,7 @@ pub fn with_reals(z: C32, x: f32) -> [C32; 4] {
     [scaled - 1.0, 1.0 - z / x, x * z, x / z + C32::from(x)]
 }
 
-/// Functions that need none of the platform's.
+/// Methods that use no function of the platform.
 #[function]
 pub fn parts(z: Complex<f64>, n: u32) -> (f64, f64, Complex<f64>, bool) {
     let turned = (z.conj() * z.inv()).scale(z.norm_sqr()).unscale(3.0);
@@ -43,7 +43,7 @@ pub fn polar(z: C32, share: f32) -> C32 {
     turned.unscale(complex::norm(&z))
 }
 
-/// The magnitude of a sum, and its square, by the names of nalgebra's `ComplexField`.
+/// The magnitude of a sum and its square, by the methods of nalgebra's `ComplexField`.
 #[function]
 pub fn strength(parts: &[Complex<f64>; 3]) -> [f64; 2] {
     let sum: Complex<f64> = parts.iter().sum();
@@ -66,24 +66,24 @@ pub fn polynomial<const N: usize>(coefficients: &[f64; N], z: Complex<f64>) -> C
     value
 }
 
-/// The polynomial of an all-pass on the unit circle, and whether it is 0 there.
+/// The value of an all-pass on the unit circle; `None` if its denominator is 0.
 #[function]
 pub fn all_pass(angle: f64) -> Option<Complex<f64>> {
     let value = polynomial(&[0.5, -1.0, 0.25], Complex::cis(angle));
     if value == Complex::new(0.0, 0.0) { None } else { Some(value) }
 }
 
-/// A filter of one complex pole.
+/// A filter with one complex pole.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Resonator {
-    /// Its state.
+    /// State of the filter.
     pub state: C32,
 }
 
 #[component]
 impl Resonator {
-    /// One sample.
+    /// Filters one sample.
     #[entry(infallible)]
     pub fn step(&mut self, sample: f32, pole: C32) -> f32 {
         self.state = self.state * pole + sample;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// A distance on the sphere between two points of the same longitude, m.
+/// The distance on a sphere between two points of the same longitude, m.
 #[function]
 pub fn arc(radius: f64, one: f64, other: f64) -> f64 {
     let half = ((one - other) / 2.0).sin();

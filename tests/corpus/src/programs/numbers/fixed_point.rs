@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The product of two numbers with 15 bits behind the point, rounded.
+/// The product of two numbers with 15 fractional bits, rounded.
 #[function]
 pub fn product(a: i16, b: i16) -> i16 {
     let wide = (i32::from(a) * i32::from(b) + (1 << 14)) >> 15;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// The value of a digit of base 16.
+/// The value of a hexadecimal digit.
 #[function]
 pub fn digit(byte: u8) -> Option<u8> {
     if byte.is_ascii_digit() {
@@ -14,7 +14,7 @@ pub fn digit(byte: u8) -> Option<u8> {
     }
 }
 
-/// Kind of a byte.
+/// Class of a byte.
 #[function]
 pub fn kind(byte: u8) -> u8 {
     match byte {

@@ -1,4 +1,4 @@
-//! `from` converts only where nothing is lost.
+//! `from` converts only between types where no value is lost.
 
 use bessemer::prelude::*;
 

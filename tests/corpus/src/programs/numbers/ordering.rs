@@ -1,14 +1,14 @@
-//! Comparisons are those of Rust: of floats as IEEE 754 has them, a NaN is unlike everything.
+//! Comparisons work as in Rust: for floats as in IEEE 754, where a NaN is unequal to everything.
 
 use bessemer::prelude::*;
 
-/// Returns true if a value lies within limits, and is none of them.
+/// Returns true if a value is strictly between two limits.
 #[function]
 pub fn inside(value: f64, low: f64, high: f64) -> bool {
     low < value && value < high
 }
 
-/// The order of three numbers as −1, 0 or 1.
+/// The order of three numbers: 1 if ascending, −1 if descending, otherwise 0.
 #[function]
 pub fn ordered(a: i64, b: i64, c: i64) -> i8 {
     if a < b && b < c {

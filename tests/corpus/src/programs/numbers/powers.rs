@@ -1,4 +1,4 @@
-//! `pow` of integers is checked; of squares and cubes it is a product.
+//! `pow` of integers is checked; squares and cubes are products.
 
 use bessemer::prelude::*;
 

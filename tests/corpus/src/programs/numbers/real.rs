@@ -1,4 +1,4 @@
-//! `Real` is `f32` or `f64`: `real(0.5)` is the literal of either, and the functions are those of the float.
+//! `Real` is `f32` or `f64`: `real(0.5)` is the literal in either type, and functions have the type's precision.
 
 use bessemer::prelude::*;
 
@@ -9,13 +9,13 @@ fn height<T: Real>(speed: T, angle: T, t: T) -> T {
     (speed * angle.sin() * t - fall).max(T::ZERO)
 }
 
-/// In single precision.
+/// Calls it in single precision.
 #[function]
 pub fn height_f32(speed: f32, angle: f32, t: f32) -> f32 {
     height(speed, angle, t)
 }
 
-/// In double precision, the angle in half turns.
+/// Calls it in double precision, with the angle in half turns.
 #[function]
 pub fn height_f64(speed: f64, half_turns: f64, t: f64) -> f64 {
     height(speed, half_turns * f64::PI, t)

@@ -1,4 +1,4 @@
-//! Rotations and turned bytes.
+//! Rotations of bits, and reversed bytes.
 
 use bessemer::prelude::*;
 
@@ -8,7 +8,7 @@ pub fn mixed(hash: u32, word: u32) -> u32 {
     (hash.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b9)
 }
 
-/// The bytes of a word from the other kind of machine.
+/// A word with the other byte order.
 #[function]
 pub fn turned(word: u32) -> u32 {
     word.swap_bytes()

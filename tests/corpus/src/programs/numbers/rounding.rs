@@ -1,8 +1,8 @@
-//! Roundings that IEEE 754 fixes are single instructions or a few.
+//! Roundings that IEEE 754 defines take one instruction or a few.
 
 use bessemer::prelude::*;
 
-/// A position on a grid of 0.25.
+/// A position rounded to a grid of 0.25.
 #[function]
 pub fn snapped(x: f64) -> f64 {
     (x * 4.0).round() / 4.0
@@ -14,7 +14,7 @@ pub fn parts(x: f32) -> [f32; 2] {
     [x.trunc(), x.fract()]
 }
 
-/// Pages that hold `bytes`.
+/// Number of pages for `bytes`.
 #[function]
 pub fn pages(bytes: f64) -> f64 {
     (bytes / 512.0).ceil().max((bytes / 4096.0).floor())

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// An integrator of a fixed-point regulator that stays at its limit.
+/// The integral of a fixed-point controller, limited to its type.
 #[function]
 pub fn integrated(sum: i16, error: i16) -> i16 {
     sum.saturating_add(error.saturating_mul(3))

@@ -1,8 +1,8 @@
-//! `sin_cos` gives both, with one reduction of the angle: the bits of `sin` and of `cos`.
+//! `sin_cos` computes both with one reduction of the angle; the bits are those of `sin` and `cos`.
 
 use bessemer::prelude::*;
 
-/// A vector turned by an angle, rad.
+/// A vector rotated by an angle, rad.
 #[function]
 pub fn turned(x: f64, y: f64, angle: f64) -> [f64; 2] {
     let (sine, cosine) = angle.sin_cos();

@@ -1,4 +1,4 @@
-//! Single precision stays single: literals and functions are those of `float`.
+//! Single precision remains single: literals and functions have the type `float`.
 
 use bessemer::prelude::*;
 

@@ -1,8 +1,8 @@
-//! `wrapping_…` counts modulo two to the number of bits.
+//! `wrapping_…` computes modulo two to the power of the type's width.
 
 use bessemer::prelude::*;
 
-/// The next of a series of numbers that look random (Numerical Recipes' constants).
+/// The next pseudo-random number (the constants are from Numerical Recipes).
 #[function]
 pub fn next(seed: u32) -> u32 {
     seed.wrapping_mul(1664525).wrapping_add(1013904223)

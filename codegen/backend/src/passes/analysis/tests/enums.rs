@@ -188,7 +188,7 @@ fn the_last_arm_stands_for_what_is_no_variant() {
     }
 }
 
-/// Two bytes that are none of the variants may be the same, or not.
+/// Two bytes that are not variants may be equal or different.
 #[test]
 fn bytes_that_are_no_variants_are_not_told_apart() {
     let module = module(&NUMBERS[..2]);

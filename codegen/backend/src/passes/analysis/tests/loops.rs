@@ -166,7 +166,7 @@ fn what_a_counted_loop_counts_holds() {
     }
 }
 
-/// Words that a loop gives values, some of them beside what counts up, lends, leaves or goes on.
+/// Values that a loop assigns, also if the loop counts up, takes references, breaks or continues.
 #[test]
 fn what_a_counted_loop_gives_holds() {
     for head in HEADS {

@@ -1,4 +1,4 @@
-//! Adaptors in every order, on everything that has elements.
+//! Adapters in every order, on everything that has elements.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A `match` on a `bool` of which one arm takes both values, or all that is left.
+//! A `match` on a `bool` with an arm for both values, or for all that remain.
 
 #![allow(missing_docs, clippy::match_single_binding)]
 

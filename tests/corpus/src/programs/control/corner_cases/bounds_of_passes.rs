@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Halves until it is small.
+/// Counts how often a value is halved.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Halving {
@@ -10,12 +10,12 @@ pub struct Halving {
     pub times: u32,
 }
 
-/// The most that a run may take.
+/// Largest number of halvings in a run.
 const MOST: u32 = 8;
 
 #[component]
 impl Halving {
-    /// The first value below `limit`; a fault if that takes more than eight halvings.
+    /// Halves a value until it is below `limit`; more than eight halvings are a fault.
     #[entry]
     pub fn run(&mut self, value: f64, limit: f64) -> f64 {
         let mut rest = value;
@@ -36,7 +36,7 @@ impl Halving {
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Root {
-    /// Passes of the last run.
+    /// Number of iterations in the last run.
     pub passes: u32,
 }
 
@@ -62,17 +62,17 @@ impl Root {
     }
 }
 
-/// A loop with a value, and loops in loops.
+/// A loop with a value, and nested loops.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Collatz {
-    /// The longest so far.
+    /// The longest sequence so far.
     pub longest: u32,
 }
 
 #[component]
 impl Collatz {
-    /// Steps until one; 1000 more where the value grew beyond `roof`.
+    /// Number of steps until the value is 1; 1000 more if the value exceeds `roof`.
     #[entry]
     pub fn run(&mut self, start: u32, roof: u32) -> u32 {
         let mut value = start;

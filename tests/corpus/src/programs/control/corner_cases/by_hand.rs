@@ -1,8 +1,8 @@
-//! Iterators that are gone through by hand: each call takes what the one before left.
+//! Iterators that are advanced by `next` calls: each call continues where the previous one stopped.
 
 use bessemer::prelude::*;
 
-/// The bytes behind a length, each of which has to be there.
+/// The bytes after a length byte, or `None` if some are missing.
 #[function]
 pub fn behind_a_length(frame: &[u8; 6]) -> Option<u32> {
     let mut bytes = frame.iter().copied();
@@ -14,7 +14,7 @@ pub fn behind_a_length(frame: &[u8; 6]) -> Option<u32> {
     Some(sum)
 }
 
-/// Two, then the rest.
+/// Takes two items with `next`, and then iterates over the rest.
 #[function]
 pub fn first_and_rest(values: &[i32; 5]) -> i32 {
     let mut left = values.iter();
@@ -27,7 +27,7 @@ pub fn first_and_rest(values: &[i32; 5]) -> i32 {
     joined
 }
 
-/// Remainder after methods that stop early, and after copies, which take nothing.
+/// The items that remain after methods that stop early, and after copies, which consume nothing of the original.
 #[function]
 pub fn left_by_ends(values: &[i32; 7], key: i32) -> i32 {
     let mut left = values.iter().map(|value| value ^ key).filter(|value| *value > 0);
@@ -42,7 +42,7 @@ pub fn left_by_ends(values: &[i32; 7], key: i32) -> i32 {
     joined ^ skipped ^ rest.wrapping_mul(count) ^ i32::from(any)
 }
 
-/// Loops, one behind the other, and the numbers of those in the last.
+/// Several loops over one iterator, and the enumerated items of the last.
 #[function]
 pub fn loops_in_turn(one: &[u8; 6], other: &[u8; 6]) -> u32 {
     let mut pairs = one.iter().zip(other.iter());
@@ -65,7 +65,7 @@ pub fn loops_in_turn(one: &[u8; 6], other: &[u8; 6]) -> u32 {
     joined
 }
 
-/// Each second, as long as they grow.
+/// Every second item, as long as the items increase.
 #[function]
 pub fn growing(values: &[u8; 8]) -> usize {
     let mut numbered = values.iter().enumerate().take(7);
@@ -81,7 +81,7 @@ pub fn growing(values: &[u8; 8]) -> usize {
     values.len()
 }
 
-/// Iterates in a loop and stops there.
+/// A loop that advances its own iterator and stops.
 #[function]
 pub fn words(bytes: &[u8; 8], ends: u8) -> [u32; 3] {
     let mut left = bytes.chunks(3);
@@ -98,7 +98,7 @@ pub fn words(bytes: &[u8; 8], ends: u8) -> [u32; 3] {
     words
 }
 
-/// An iterator that a function takes, by hand.
+/// Advances an iterator parameter by `next`, and counts the rest.
 #[function]
 fn two_and_count(mut items: impl Iterator<Item = u8>) -> u32 {
     let first = items.next().unwrap_or(1);
@@ -106,14 +106,14 @@ fn two_and_count(mut items: impl Iterator<Item = u8>) -> u32 {
     u32::from(first) * 3 + u32::from(second) + items.count() as u32
 }
 
-/// Iterator of other iterators' items.
+/// Chained and filtered items of two other iterators, advanced by `next`.
 #[function]
 pub fn of_two(bytes: &[u8; 4], other: &[u8], most: u8) -> u32 {
     let behind = two_and_count(other.iter().copied().filter(|byte| *byte <= most));
     two_and_count(bytes.iter().map(|byte| byte / 2)) ^ behind
 }
 
-/// Copies, which go on by themselves.
+/// Clones of an iterator, which advance independently of it.
 #[function]
 pub fn copies(values: &[u8; 6]) -> u32 {
     let mut left = values.iter().copied();

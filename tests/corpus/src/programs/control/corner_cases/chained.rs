@@ -1,8 +1,8 @@
-//! Arrays one behind another: empty ones, names that hide others, what leaves early, faults in order.
+//! Chained arrays: empty ones, names that hide others, early exits, and the order of faults.
 
 use bessemer::prelude::*;
 
-/// Three sequences, parts of slices, an index over all, and a break.
+/// Three sequences, parts of slices, an index over all, and a `break`.
 #[function]
 pub fn parts(a: &[i32; 4], b: &List<i32, 3>, from: usize, stop: i32) -> (i32, usize) {
     let mut sum = 0;
@@ -21,7 +21,7 @@ pub fn parts(a: &[i32; 4], b: &List<i32, 3>, from: usize, stop: i32) -> (i32, us
     (sum, seen)
 }
 
-/// Cut off at both ends, turned round.
+/// Chains with skipped items at both ends, and reversed.
 #[function]
 pub fn cut(a: &[u8; 3], b: &[u8; 3], n: usize) -> [u32; 3] {
     let mut sums = [0; 3];
@@ -37,13 +37,13 @@ pub fn cut(a: &[u8; 3], b: &[u8; 3], n: usize) -> [u32; 3] {
     sums
 }
 
-/// The found element is a copy; its fault occurs at its position.
+/// The found element is a copy; a fault occurs at the element that causes it.
 #[function]
 pub fn found(a: &[i8; 3], b: &[i8; 2], x: i8) -> Option<i8> {
     a.iter().chain(b).map(|value| 100 / *value).find(|value| *value == x)
 }
 
-/// With a step: of lists, from the end, beside another.
+/// Chains with a step: of lists, from the end, and zipped with another.
 #[function]
 pub fn steps(values: &List<i32, 7>, other: &[i32; 3]) -> [i32; 3] {
     let mut sums = [0; 3];
@@ -59,7 +59,7 @@ pub fn steps(values: &List<i32, 7>, other: &[i32; 3]) -> [i32; 3] {
     sums
 }
 
-/// Written with a step.
+/// Writes every second or third element of a chain.
 #[function]
 pub fn written(values: &mut [i32; 5], by: i32) {
     for value in values.iter_mut().step_by(2) {
@@ -67,7 +67,7 @@ pub fn written(values: &mut [i32; 5], by: i32) {
     }
 }
 
-/// Ends of ranges at the limits of their types.
+/// Chained ranges whose ends are at the limits of their types.
 #[function]
 pub fn limits(from: u8, to: u8) -> (u32, u32) {
     let mut sums = (0, 0);

@@ -1,4 +1,4 @@
-//! Chains and closures whose names are those of others, and whose parts write and fault.
+//! Chains and closures whose parameters hide other names, and whose parts write and fault.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! An index of what is matched is checked first, also where no pattern comes to look there.
+//! The index of a matched element is checked first, even if no pattern reads the element.
 
 use bessemer::prelude::*;
 

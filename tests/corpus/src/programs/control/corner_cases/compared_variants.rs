@@ -1,4 +1,4 @@
-//! Comparisons with a literal variant: its payload is evaluated whether it is compared or not, and in its position.
+//! Comparisons with a literal variant: its payload is evaluated in its position, whether or not it is compared.
 
 use bessemer::prelude::*;
 
@@ -15,7 +15,7 @@ pub enum Duty {
     },
 }
 
-/// Numbers; some of them fault though there may be nothing to compare them with.
+/// Payloads that may fault although there is nothing to compare them with.
 #[function]
 pub fn numbers(count: Option<u8>, n: u8, at: usize, table: &[u8; 4]) -> [bool; 5] {
     let known = count == Some(3);
@@ -25,13 +25,13 @@ pub fn numbers(count: Option<u8>, n: u8, at: usize, table: &[u8; 4]) -> [bool; 5
     [known, other, more, listed, count == None]
 }
 
-/// A number that a conversion gives, with nothing to compare it with.
+/// A payload that a conversion computes, with nothing to compare it with.
 #[function]
 pub fn widened(wide: Option<u16>, n: u8) -> bool {
     wide == Some(u16::from(n))
 }
 
-/// Variants with more parts than one, and in one another.
+/// Variants with several payloads, and nested variants.
 #[function]
 pub fn duties(last: Option<Duty>, duty: Duty, from: i16) -> [bool; 6] {
     [
@@ -44,7 +44,7 @@ pub fn duties(last: Option<Duty>, duty: Duty, from: i16) -> [bool; 6] {
     ]
 }
 
-/// One more, if it was above nine.
+/// Increments the number; `None` if it was above nine.
 #[function]
 pub fn advanced(n: &mut u8) -> Option<u8> {
     let before = *n;
@@ -52,7 +52,7 @@ pub fn advanced(n: &mut u8) -> Option<u8> {
     (before > 9).then_some(before)
 }
 
-/// A side changes what the other reads, before or after it did.
+/// One side of the comparison changes a variable that the other reads.
 #[function]
 pub fn in_turn(n: u8) -> (bool, bool, u8) {
     let mut n = n;

@@ -1,7 +1,7 @@
-//! Copies of iterators, and chains of copies: what is taken from the original afterwards is no part of them.
+//! Clones of iterators and of chains: items that the original yields afterwards are still in the clone.
 //!
-//! One function for each adapter; in each a copy that has a name, one that is an argument, one that is copied again, and a loop
-//! whose body takes from the original.
+//! There is one function for each adapter; each has a clone with a name, one as an argument, one that is cloned
+//! again, and a loop whose body advances the original.
 
 use bessemer::prelude::*;
 
@@ -19,7 +19,7 @@ fn tame(a: [u32; 5]) -> [u32; 5] {
     [a[0] % 8, a[1] % 8, a[2] % 3, a[3], a[4] % 5]
 }
 
-/// A copy as the second of a `zip`, and as the second of a `chain`.
+/// A clone as the second argument of a `zip`, and of a `chain`.
 #[function]
 pub fn beside(a: [u32; 5], b: [u32; 4]) -> u32 {
     let mut it = a.iter();
@@ -34,7 +34,7 @@ pub fn beside(a: [u32; 5], b: [u32; 4]) -> u32 {
     r ^ eaten(zipped) ^ eaten(joined).wrapping_mul(3)
 }
 
-/// Of an iterator that is an adapter's, and of what a copy of it makes.
+/// A clone of an adapter, and of a chain made from a clone.
 #[function]
 pub fn of_adapters(a: [u32; 5]) -> u32 {
     let mut it = a.iter().map(|x| *x ^ 1);

@@ -1,4 +1,4 @@
-//! Counts of elements or numbers without any other use of them.
+//! `count` of elements or numbers that nothing else uses.
 
 use bessemer::prelude::*;
 
@@ -14,7 +14,7 @@ pub fn all(values: &[i32; 3], list: &List<u8, 4>, last: u8) -> usize {
         + (1..=last % 100).rev().count()
 }
 
-/// Closures are evaluated, and `None` is not counted.
+/// Counts with closures: they are evaluated, and `None` is not counted.
 #[function]
 pub fn computed(values: &[i8; 4], last: u8) -> usize {
     let odd = values.iter().filter_map(|x| (x % 2 != 0).then_some(*x)).count();
@@ -24,7 +24,7 @@ pub fn computed(values: &[i8; 4], last: u8) -> usize {
     odd + 10 * leading + 1000 * there + 10000 * raised
 }
 
-/// A loop over nothing.
+/// A loop over an empty array.
 #[function]
 pub fn none(values: &[i32; 3]) -> usize {
     values.iter().take(0).count() + (0..0_u8).map(|x| x + 1).count()

@@ -1,8 +1,9 @@
-//! Counters that only increase in loops with few passes cannot overflow: no check is left, or only the necessary one.
+//! Counters that only increase, in loops with few iterations, cannot overflow: their checks are removed as far as
+//! possible.
 
 use bessemer::prelude::*;
 
-/// Counts of several kinds.
+/// Counts of samples by different criteria.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Counter {
@@ -11,13 +12,13 @@ pub struct Counter {
 
 #[component]
 impl Counter {
-    /// Keeps a sample; a fault if there is no such place.
+    /// Stores a sample; a row or column out of range is a fault.
     #[entry]
     pub fn keep(&mut self, row: usize, column: usize, value: i16) {
         self.samples[row][column] = value;
     }
 
-    /// The positive ones; and twice as much for each negative one, in a narrow type.
+    /// Number of positive samples; and, in a narrow type, twice the number of negative ones.
     #[entry(infallible)]
     pub fn signs(&mut self) -> (usize, i8) {
         let positive = self.samples[1].iter().filter(|sample| **sample > 0).count();
@@ -35,7 +36,7 @@ impl Counter {
         (positive, negative)
     }
 
-    /// Iterates over up to nine elements.
+    /// Counts every third of up to nine elements.
     #[entry(infallible)]
     pub fn every_third(&mut self, among: &List<u8, 9>) -> usize {
         let mut count = 0;
@@ -48,7 +49,7 @@ impl Counter {
     }
 }
 
-/// Too many for its type: a fault, and none before.
+/// A counter that overflows its type: a fault at that iteration and not before.
 #[function]
 pub fn too_many(times: u8, from: u8) -> u8 {
     let mut count = from;
@@ -58,7 +59,7 @@ pub fn too_many(times: u8, from: u8) -> u8 {
     count
 }
 
-/// One more than fits.
+/// A counter that exceeds its type by one.
 #[function]
 pub fn just_too_many(flags: &[bool; 16]) -> i8 {
     let mut count = 0i8;
@@ -72,7 +73,7 @@ pub fn just_too_many(flags: &[bool; 16]) -> i8 {
     count
 }
 
-/// It counts down in between.
+/// A counter that also decreases.
 #[function]
 pub fn both_ways(flags: &[bool; 8]) -> u8 {
     let mut level = 0u8;
@@ -86,7 +87,7 @@ pub fn both_ways(flags: &[bool; 8]) -> u8 {
     level
 }
 
-/// It is set in between.
+/// A counter that is assigned inside the loop.
 #[function]
 pub fn set_between(flags: &[bool; 8], to: u8) -> u8 {
     let mut level = 0u8;
@@ -100,7 +101,7 @@ pub fn set_between(flags: &[bool; 8], to: u8) -> u8 {
     level
 }
 
-/// A loop within depends on what the outer one changes.
+/// The bound of an inner loop depends on a variable that the outer one changes.
 #[function]
 pub fn growing(start: u8) -> u8 {
     let (mut count, mut end) = (0u8, start % 40);

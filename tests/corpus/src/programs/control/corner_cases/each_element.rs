@@ -2,11 +2,11 @@
 
 use bessemer::prelude::*;
 
-/// A filter with a table.
+/// A filter with tables.
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Each {
-    /// The taps.
+    /// Coefficients of the filter.
     pub taps: [f64; 4],
     /// Rows of numbers.
     pub rows: [[i32; 3]; 2],
@@ -26,7 +26,7 @@ impl Default for Each {
 
 #[component]
 impl Each {
-    /// Goes through everything.
+    /// Iterates over all fields.
     #[entry]
     pub fn run(&mut self, gain: f64, row: usize, limit: i32) -> f64 {
         let weights = [gain, 2.0, 3.0];

@@ -1,10 +1,10 @@
-//! Loops without a declared bound, whose bound shows in some other way than by a plain counter.
+//! Loops without a declared bound, whose bound follows from something other than a plain counter.
 
 use bessemer::prelude::*;
 
 const STEP: u8 = 3;
 
-/// Number of bits set: each pass clears the lowest.
+/// Number of bits set: each iteration clears the lowest one.
 #[function]
 pub fn ones(mut n: u16) -> u8 {
     let mut count = 0;
@@ -15,7 +15,7 @@ pub fn ones(mut n: u16) -> u8 {
     count
 }
 
-/// Digits of a number, by halves and by tenths.
+/// Number of digits, by dividing by two or ten.
 #[function]
 pub fn digits(n: u32, binary: bool) -> u32 {
     let (mut rest, mut count) = (n, 0);
@@ -30,7 +30,7 @@ pub fn digits(n: u32, binary: bool) -> u32 {
     count
 }
 
-/// Goes on with the next pass before its end, after the step.
+/// A `continue` after the step.
 #[function]
 pub fn odd_sum(n: u8) -> u32 {
     let (mut i, mut sum) = (0, 0);
@@ -44,7 +44,7 @@ pub fn odd_sum(n: u8) -> u32 {
     sum
 }
 
-/// Down to the limit and not beyond, both signed; a step that may fault.
+/// Counts down to a signed limit; a step may fault.
 #[function]
 pub fn fall(from: i8, to: i8) -> u8 {
     let (mut height, mut passes) = (from, 0);
@@ -55,7 +55,7 @@ pub fn fall(from: i8, to: i8) -> u8 {
     passes
 }
 
-/// From both ends, with a step of a constant on one side.
+/// Two indices that approach each other, one of them by a constant step.
 #[function]
 pub fn meeting(from: u8, to: u8) -> (u8, u8) {
     let (mut a, mut b) = (from, to);
@@ -69,7 +69,7 @@ pub fn meeting(from: u8, to: u8) -> (u8, u8) {
     (a, b)
 }
 
-/// Through the records of a message, each as long as its first byte says.
+/// Iterates over the records of a message; the first byte of each is its length.
 #[function]
 pub fn records(message: &[u8; 12]) -> (u8, usize) {
     let (mut count, mut at) = (0, 0);
@@ -81,7 +81,7 @@ pub fn records(message: &[u8; 12]) -> (u8, usize) {
     (count, at)
 }
 
-/// A loop that ends at its head, with a value.
+/// A loop that ends at its head with a value.
 #[function]
 pub fn first_above(values: &[i16; 5], limit: i16) -> Option<usize> {
     let mut i = 0;
@@ -96,7 +96,7 @@ pub fn first_above(values: &[i16; 5], limit: i16) -> Option<usize> {
     }
 }
 
-/// The compared number is a field; the inner loop need not change it.
+/// The compared number is a field that the inner loop need not change.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Window {
@@ -106,7 +106,7 @@ pub struct Window {
 
 #[data]
 impl Window {
-    /// Narrows it; how often.
+    /// Narrows the window; returns the number of steps.
     pub fn narrowed(&mut self, by: u8) -> u32 {
         let mut passes = 0;
         while self.first < self.last && passes < 100 {
@@ -122,7 +122,7 @@ impl Window {
     }
 }
 
-/// Out of two loops at once.
+/// Leaves two loops at once.
 #[function]
 pub fn pair(values: &[u8; 6], sum: u8) -> (usize, usize) {
     let mut i = 0;
@@ -141,7 +141,7 @@ pub fn pair(values: &[u8; 6], sum: u8) -> (usize, usize) {
     found
 }
 
-/// The condition has an effect, and comes after the limit: the last of it is none.
+/// The condition has a side effect and follows the comparison: it is not evaluated after the last iteration.
 #[function]
 pub fn drawn(seed: u32, n: u8) -> (u8, u32) {
     let (mut state, mut i) = (seed, 0);
@@ -151,7 +151,7 @@ pub fn drawn(seed: u32, n: u8) -> (u8, u32) {
     (i, state)
 }
 
-/// The other way round: it is evaluated once more than there are passes.
+/// The condition has a side effect and precedes the comparison: it is evaluated once more than there are iterations.
 #[function]
 pub fn drawn_first(seed: u32, n: u8) -> (u8, u32) {
     let (mut state, mut i) = (seed, 0);

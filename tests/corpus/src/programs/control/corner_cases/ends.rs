@@ -1,4 +1,4 @@
-//! Loops to an end that is converted from another type.
+//! Loops whose end is converted from another type.
 
 use bessemer::prelude::*;
 

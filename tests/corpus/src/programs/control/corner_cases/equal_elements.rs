@@ -1,9 +1,9 @@
-//! Extremes of elements that are equal and can be told apart: `max` gives the last of them, `min` the first, by `&`, by `&mut` and
-//! by value.
+//! Minimum and maximum among equal elements that can be distinguished: `max` returns the last, `min` the first, by
+//! `&`, by `&mut` and by value.
 
 use bessemer::prelude::*;
 
-/// A reading: only its key decides.
+/// A reading, compared by its key alone.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reading {
@@ -11,13 +11,13 @@ pub struct Reading {
     pub number: u8,
 }
 
-/// Readings with few keys, numbered.
+/// Readings with the given keys, numbered in order.
 #[function]
 fn readings(keys: [u8; 4]) -> [Reading; 4] {
     core::array::from_fn(|i| Reading { key: keys[i] % 2, number: i as u8 })
 }
 
-/// Marks the greatest.
+/// Marks the maximum through a mutable reference.
 #[function]
 pub fn greatest(keys: [u8; 4], n: usize) -> [u8; 4] {
     let mut all = keys.map(|key| key % 2);
@@ -27,7 +27,7 @@ pub fn greatest(keys: [u8; 4], n: usize) -> [u8; 4] {
     all
 }
 
-/// Marks the least.
+/// Marks the minimum through a mutable reference.
 #[function]
 pub fn least(keys: [u8; 4], n: usize) -> [u8; 4] {
     let mut all = keys.map(|key| key % 2);
@@ -37,7 +37,7 @@ pub fn least(keys: [u8; 4], n: usize) -> [u8; 4] {
     all
 }
 
-/// Marks both from the other end, one after the other.
+/// Marks minimum and maximum of a reversed iterator.
 #[function]
 pub fn from_the_end(keys: [u8; 4]) -> [u8; 4] {
     let mut all = keys.map(|key| key % 2);
@@ -49,7 +49,7 @@ pub fn from_the_end(keys: [u8; 4]) -> [u8; 4] {
     all
 }
 
-/// Marks by a key, and by a comparison.
+/// Marks the readings found by a key and by a comparison.
 #[function]
 pub fn marked(keys: [u8; 4], n: usize) -> [Reading; 4] {
     let mut all = readings(keys);
@@ -69,7 +69,7 @@ pub fn marked(keys: [u8; 4], n: usize) -> [Reading; 4] {
     all
 }
 
-/// The numbers of those that are found by `&`.
+/// The numbers of the readings found by shared reference.
 #[function]
 pub fn by_reference(keys: [u8; 4], n: usize) -> [u8; 6] {
     let all = readings(keys);
@@ -87,7 +87,7 @@ pub fn by_reference(keys: [u8; 4], n: usize) -> [u8; 6] {
     ]
 }
 
-/// The same by value.
+/// The numbers of the readings found by value.
 #[function]
 pub fn by_value(keys: [u8; 4]) -> [u8; 5] {
     let all = readings(keys);
@@ -100,7 +100,7 @@ pub fn by_value(keys: [u8; 4]) -> [u8; 5] {
     ]
 }
 
-/// Zeros of both signs are equal, and can be told apart.
+/// Zeros of either sign are equal, but their sign shows which one was found.
 #[function]
 pub fn zeros(negative: [bool; 3]) -> [f64; 4] {
     let all = negative.map(|negative| if negative { -0.0 } else { 0.0 });
@@ -113,7 +113,7 @@ pub fn zeros(negative: [bool; 3]) -> [f64; 4] {
     ]
 }
 
-/// Writes through others that are found.
+/// Writes through the references that other methods find.
 #[function]
 pub fn found(keys: [u8; 4], n: usize) -> [u8; 4] {
     let mut all = keys.map(|key| key % 2);

@@ -1,4 +1,4 @@
-//! Ranges whose numbers a closure is lent before anything else names them.
+//! Ranges whose numbers are passed to a closure by reference first.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A condition that does something does it even where the loop has no pass.
+//! A condition with side effects is evaluated even if the loop has no iteration.
 
 use bessemer::prelude::*;
 
@@ -17,7 +17,7 @@ pub fn counted(from: u8, to: u8, calls: &mut u8) -> u8 {
     i
 }
 
-/// The index faults before the comparison is reached.
+/// The index faults before the comparison is evaluated.
 #[function]
 pub fn indexed(table: &[u8; 4], at: usize, from: u8, to: u8) -> u8 {
     let mut i = from;
@@ -27,7 +27,7 @@ pub fn indexed(table: &[u8; 4], at: usize, from: u8, to: u8) -> u8 {
     i
 }
 
-/// Statements before a condition run at least once.
+/// Statements inside a condition are executed at least once.
 #[function]
 pub fn before(from: u8, to: u8) -> (u8, u8) {
     let (mut i, mut passes) = (from, 0u8);

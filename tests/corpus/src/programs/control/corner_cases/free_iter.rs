@@ -1,4 +1,4 @@
-//! A function of the author's that is called `iter` and belongs to no type, beside loops through a list and an option.
+//! An author's free function named `iter`, next to loops over a list and an option.
 
 #![allow(missing_docs, for_loops_over_fallibles)]
 

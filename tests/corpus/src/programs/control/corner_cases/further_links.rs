@@ -1,8 +1,8 @@
-//! Links of chains in any order, with names that are used before, states that are structs, and faults midway.
+//! Adapters in any order, with repeated names, states that are structs, and faults in the middle.
 
 use bessemer::prelude::*;
 
-/// A state of a chain.
+/// State of a chain.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Level {
@@ -14,30 +14,30 @@ pub struct Level {
 
 #[data]
 impl Level {
-    /// A method named as a link is.
+    /// An author's method with the name of an adapter.
     pub fn scan(&mut self, by: i32, more: i32) -> i32 {
         self.height = by;
         more
     }
 
-    /// Another.
+    /// An author's method with the name of an iterator's method.
     pub fn nth(&self, n: u8) -> u8 {
         self.count.wrapping_add(n)
     }
 
-    /// Another.
+    /// An author's method with the name of an adapter.
     pub fn skip_while(&self, n: i32) -> i32 {
         n
     }
 
-    /// Another.
+    /// An author's method with the name of an iterator's method.
     pub fn next(&mut self) -> u8 {
         self.count = self.count.wrapping_add(1);
         self.count
     }
 }
 
-/// The author's own stay the author's.
+/// Calls of the author's methods are not taken for the iterator's.
 #[function]
 pub fn own(level: &mut Level) -> i32 {
     let a = level.scan(3, 4);
@@ -47,7 +47,7 @@ pub fn own(level: &mut Level) -> i32 {
     a + i32::from(b) + c + i32::from(d)
 }
 
-/// Names of closures are used again, and hide variables.
+/// Parameters of closures use names again, and hide variables.
 #[function]
 pub fn names(values: &[i32; 5], x: i32) -> i32 {
     let state = 3;
@@ -65,7 +65,7 @@ pub fn names(values: &[i32; 5], x: i32) -> i32 {
     sum + state + x
 }
 
-/// Skipped items are not requested; a fault after or before them counts.
+/// Skipped items are not computed; a fault before or after them occurs.
 #[function]
 pub fn skipped(values: &[u8; 5], divisor: u8) -> u32 {
     let mut asked = 0_u32;
@@ -84,7 +84,7 @@ pub fn skipped(values: &[u8; 5], divisor: u8) -> u32 {
     100 * asked + sum
 }
 
-/// Sources: a slice that may be empty, its reverse, a range, with an index.
+/// Sources: a slice that may be empty, its reverse, a range, and an enumerated one.
 #[function]
 pub fn sources(values: &List<i16, 4>, n: i16) -> i32 {
     let back: i32 = values.iter().rev().skip_while(|x| **x > n).map(|x| i32::from(*x)).sum();
@@ -93,7 +93,7 @@ pub fn sources(values: &List<i16, 4>, n: i16) -> i32 {
     back.wrapping_add(range).wrapping_add(indexed as i32)
 }
 
-/// A struct as the state, changed in parts; it ends before the fault.
+/// A struct as the state of `scan`, changed field by field; the chain ends before the fault.
 #[function]
 pub fn levels(flows: &[i32; 5], start: Level) -> (i32, u8) {
     let mut last = Level::default();
@@ -111,13 +111,13 @@ pub fn levels(flows: &[i32; 5], start: Level) -> (i32, u8) {
     (last.height, last.count)
 }
 
-/// Nothing.
+/// Returns `None`.
 #[function]
 pub fn return_none() -> Option<Level> {
     None
 }
 
-/// Ends at the first that does not fit, and takes pairs apart.
+/// Ends at the first item that does not fit, and destructures pairs.
 #[function]
 pub fn while_some(values: &[Option<(u8, i8)>; 4], limit: i8) -> i32 {
     let sum: i32 = values
@@ -130,7 +130,7 @@ pub fn while_some(values: &[Option<(u8, i8)>; 4], limit: i8) -> i32 {
     sum + count as i32
 }
 
-/// A loop with a label in a loop with one.
+/// Nested loops, both with labels.
 #[function]
 pub fn labelled(rows: &[[i32; 3]; 3]) -> i32 {
     let mut sum = 0;
@@ -152,7 +152,7 @@ pub fn labelled(rows: &[[i32; 3]; 3]) -> i32 {
     sum
 }
 
-/// By number, of what is left.
+/// The nth items of what remains.
 #[function]
 pub fn numbers(values: &[u8; 5], n: usize) -> [Option<u8>; 4] {
     [
@@ -163,7 +163,7 @@ pub fn numbers(values: &[u8; 5], n: usize) -> [Option<u8>; 4] {
     ]
 }
 
-/// Index of the last match in a list and in a part.
+/// Index of the last match in a list and in a slice.
 #[function]
 pub fn last_places(values: &List<i32, 5>, array: &[f32; 4], x: i32) -> Option<usize> {
     let one = values.iter().rposition(|value| *value == x)?;
@@ -171,7 +171,7 @@ pub fn last_places(values: &List<i32, 5>, array: &[f32; 4], x: i32) -> Option<us
     Some(10 * one + other)
 }
 
-/// One from its end beside another, of two lengths; both from their ends; three.
+/// Zips of sequences of different lengths, reversed on one or both sides, and of three sequences.
 #[function]
 pub fn together(a: &[i32; 3], b: &[i32; 5], c: &List<i32, 4>) -> [i32; 4] {
     let mut sums = [0; 4];
@@ -190,7 +190,7 @@ pub fn together(a: &[i32; 3], b: &[i32; 5], c: &List<i32, 4>) -> [i32; 4] {
     sums
 }
 
-/// Written from the end.
+/// Writes to reversed elements.
 #[function]
 pub fn mirrored(a: &[i32; 4], b: &mut [i32; 4]) {
     for (x, y) in a.iter().zip(b.iter_mut().rev()) {

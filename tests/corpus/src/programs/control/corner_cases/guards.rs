@@ -6,18 +6,18 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Press {
-    /// Not at all.
+    /// No press.
     #[default]
     None,
-    /// Below half a second.
+    /// A press shorter than half a second.
     Short,
-    /// Longer.
+    /// A longer press.
     Long,
-    /// Two in a row.
+    /// Two presses in a row.
     Double,
 }
 
-/// Sorts a temperature into a level.
+/// Classifies temperatures into levels.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Level {
@@ -25,7 +25,7 @@ pub struct Level {
     pub count: [u32; 4],
 }
 
-/// Above this it is hot.
+/// Temperature above which the level is hot, °C.
 const HOT: i32 = 80;
 
 #[component]
@@ -45,7 +45,7 @@ impl Level {
     }
 }
 
-/// Guards, and names for what is matched.
+/// Arms with guards and names for the matched value.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Guarded {
@@ -55,7 +55,7 @@ pub struct Guarded {
 
 #[component]
 impl Guarded {
-    /// Tries the arms in order.
+    /// Selects the first arm that matches.
     #[entry]
     pub fn run(&mut self, value: u8, limit: u8, armed: bool) -> i32 {
         match value {
@@ -75,7 +75,7 @@ impl Guarded {
     }
 }
 
-/// Short lists stay lists; a name stands for the value all the same.
+/// Short lists of patterns with a name for the value.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pressed {
@@ -85,7 +85,7 @@ pub struct Pressed {
 
 #[component]
 impl Pressed {
-    /// Meaning of a press.
+    /// Code of a press.
     #[entry(infallible)]
     pub fn run(&mut self, press: Press, twice: bool) -> u32 {
         match self.last {
@@ -108,7 +108,7 @@ impl Pressed {
     }
 }
 
-/// A match of few values, as a list of cases.
+/// A match with lists of values.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Listed {
@@ -118,7 +118,7 @@ pub struct Listed {
 
 #[component]
 impl Listed {
-    /// Adds by kind.
+    /// Adds a number that depends on `kind`.
     #[entry]
     pub fn run(&mut self, kind: i16, negative: bool) -> i64 {
         match kind {

@@ -1,4 +1,4 @@
-//! Chains of several loops that their author wrote as one: what leaves one, and what goes on with the next item.
+//! Chains that become several loops: `break` leaves all of them, and `continue` goes on with the next item.
 
 #![allow(missing_docs, for_loops_over_fallibles)]
 
@@ -106,7 +106,7 @@ pub fn ranges(n: u8, of: u32) -> (u32, u32, u32) {
     (pairs, u32::from(some.unwrap_or(9)), hidden)
 }
 
-/// `break` and `continue` of loops that are one.
+/// `break` and `continue` in chains of several loops.
 #[function]
 pub fn left(rows: [[u32; 3]; 3], stop: u32, skip: u32) -> (u32, u32, u32) {
     let (mut sum, mut passes, mut rest) = (0_u32, 0, 0);
@@ -162,7 +162,7 @@ pub fn chained(xs: [f64; 3], ys: [f64; 2], more: Option<f64>, limit: f64) -> (f6
     (sum, below, first, last)
 }
 
-/// A loop through what may be there.
+/// A loop over an option.
 #[function]
 pub fn once(values: [Option<u32>; 4], mut spare: Option<u32>) -> (u32, u32, Option<u32>) {
     let (mut sum, mut seen) = (0_u32, 0);

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Looks for a value in a table.
+/// Searches a table for a value.
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Search {
@@ -18,7 +18,7 @@ impl Default for Search {
 
 #[component]
 impl Search {
-    /// Position of a value; a negative number ends its row.
+    /// Position of a value; a negative number ends the search of its row.
     #[entry]
     pub fn run(&mut self, wanted: i32, replacement: i32) -> i32 {
         let mut found = -1;
@@ -43,7 +43,7 @@ impl Search {
     }
 }
 
-/// Three loops, and every way between them.
+/// Three nested loops, with every jump between them.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Deep {
@@ -53,7 +53,7 @@ pub struct Deep {
 
 #[component]
 impl Deep {
-    /// Leaves as it is told.
+    /// Leaves the loops as `how` and `when` select.
     #[entry]
     pub fn run(&mut self, how: u8, when: u8) -> u64 {
         let mut steps = 0;

@@ -1,8 +1,8 @@
-//! Blocks with labels in each other, in loops, around loops, and as operands.
+//! Labelled blocks inside each other, in loops, around loops, and as operands.
 
 use bessemer::prelude::*;
 
-/// A reading, and where it comes from.
+/// A reading and the number of its sensor.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reading {
@@ -12,7 +12,7 @@ pub struct Reading {
     pub value: f64,
 }
 
-/// Both branches may come to what follows.
+/// A block whose two branches may both reach the code after it.
 #[function]
 pub fn both(a: bool, b: bool, x: i32) -> i32 {
     let mut y = x;
@@ -37,7 +37,7 @@ pub fn both(a: bool, b: bool, x: i32) -> i32 {
     z + y
 }
 
-/// Blocks in blocks: the inner one ends the outer one, or only itself.
+/// Nested blocks: the inner one ends the outer one, or only itself.
 #[function]
 pub fn nested(x: i32, y: i32) -> i32 {
     let mut sum = 0;
@@ -64,7 +64,7 @@ pub fn nested(x: i32, y: i32) -> i32 {
     sum
 }
 
-/// A block in a loop: it goes on with the loop, leaves it, or leaves itself.
+/// A block in a loop: it continues the loop, leaves it, or leaves only itself.
 #[function]
 pub fn in_loop(values: &[i32; 6]) -> i32 {
     let mut sum = 0;
@@ -94,7 +94,7 @@ pub fn in_loop(values: &[i32; 6]) -> i32 {
     sum
 }
 
-/// A whole struct is the value, out of two loops.
+/// A block whose value is a struct, left from within two loops.
 #[function]
 pub fn found(grid: &[[f64; 3]; 2], limit: f64) -> Reading {
     let reading = 'found: {
@@ -113,7 +113,7 @@ pub fn found(grid: &[[f64; 3]; 2], limit: f64) -> Reading {
     Reading { value: reading.value + 1.0, ..reading }
 }
 
-/// An operand: what stands before it is computed before it.
+/// A block as an operand: operands before it are evaluated before it.
 #[function]
 pub fn operand(x: u8, y: u8) -> u8 {
     let mut count = x;
@@ -127,7 +127,7 @@ pub fn operand(x: u8, y: u8) -> u8 {
     sum + count
 }
 
-/// In a `match`, with `return`, `?` and a fault on the way.
+/// A block in a `match`, with `return`, `?` and a possible fault.
 #[function]
 pub fn matched(x: Option<u8>, y: Option<u8>, table: &[u8; 4]) -> Option<u8> {
     let value = 'value: {
@@ -153,7 +153,7 @@ pub fn matched(x: Option<u8>, y: Option<u8>, table: &[u8; 4]) -> Option<u8> {
     Some(value + 1)
 }
 
-/// A loop that has to end by itself stands in the block, and one around it.
+/// A loop without a derivable end in a block, and a block in such a loop.
 #[function]
 pub fn looped(start: u32) -> u32 {
     let mut n = start % 64;
@@ -177,7 +177,7 @@ pub fn looped(start: u32) -> u32 {
     n
 }
 
-/// A generic function without a `break`; one label twice.
+/// A generic function with a block that no `break` leaves, and a label used twice.
 #[function]
 pub fn generic<T: Real, const N: usize>(values: &[T; N], limit: T) -> T {
     let first = 'value: {
@@ -200,13 +200,13 @@ pub fn generic<T: Real, const N: usize>(values: &[T; N], limit: T) -> T {
     second
 }
 
-/// Calls of it.
+/// Calls the generic function with two types.
 #[function]
 pub fn generics(three: &[f64; 3], two: &[f32; 2], limit: f64) -> f64 {
     generic(three, limit) + f64::from(generic(two, 2.0))
 }
 
-/// A block is left where a closure of an `Option` stands, and in a chain.
+/// A closure of an `Option` method leaves a block, and so does one of a chain.
 #[function]
 pub fn closures(x: Option<i32>, values: &[i32; 5]) -> i32 {
     'out: {

@@ -1,8 +1,9 @@
-//! Iterators that are lent to functions, which take some items and leave the others: `bytes: &mut impl Iterator<Item = u8>`.
+//! Iterators passed to functions by reference: `bytes: &mut impl Iterator<Item = u8>`. A function takes some items
+//! and leaves the others.
 
 use bessemer::prelude::*;
 
-/// Seven bits of each byte, the last of which has no bit at the top.
+/// Reads a number of seven bits per byte; the top bit of its last byte is clear.
 #[function]
 fn number(bytes: &mut impl Iterator<Item = u8>) -> Option<u32> {
     let mut value = 0;
@@ -16,7 +17,7 @@ fn number(bytes: &mut impl Iterator<Item = u8>) -> Option<u32> {
     None
 }
 
-/// Lent on, as it is and anew.
+/// Passes its iterator on to other calls, as it is and by a new reference.
 #[function]
 fn two<I>(bytes: &mut I) -> Option<u32>
 where
@@ -25,7 +26,7 @@ where
     Some(number(bytes)? ^ number(&mut *bytes)?.rotate_left(1))
 }
 
-/// Sum of the remaining items after the first says their number.
+/// Sum of the items that follow; the first item is their number.
 #[function]
 fn rest(bytes: &mut impl Iterator<Item = u8>, most: usize) -> u32 {
     let mut sum = 0_u32;
@@ -35,7 +36,7 @@ fn rest(bytes: &mut impl Iterator<Item = u8>, most: usize) -> u32 {
     sum
 }
 
-/// By one iterator after the other.
+/// Reads a line through one iterator after the other.
 #[function]
 pub fn read(line: &[u8]) -> Option<(u32, u32, u32, usize)> {
     let mut bytes = line.iter().copied();
@@ -46,13 +47,13 @@ pub fn read(line: &[u8]) -> Option<(u32, u32, u32, usize)> {
     Some((first, both, sum, bytes.count()))
 }
 
-/// Borrow of an iterator without a name.
+/// Passes an iterator without a name by reference.
 #[function]
 pub fn unnamed(line: &[u8; 6], key: u8) -> Option<u32> {
     two(&mut line.iter().map(|byte| byte ^ key))
 }
 
-/// A loop that takes by a function.
+/// A loop that takes its items by a call.
 #[function]
 pub fn all(line: &[u8; 9]) -> u32 {
     let mut bytes = line.iter().copied().filter(|byte| *byte != 0xff);
@@ -68,7 +69,7 @@ pub fn all(line: &[u8; 9]) -> u32 {
     digest
 }
 
-/// Bytes by a recurrence.
+/// Bytes from a recurrence.
 #[data]
 #[derive(Clone, Debug)]
 pub struct Noise {
@@ -85,7 +86,7 @@ impl Iterator for Noise {
     }
 }
 
-/// Borrow of an author's own iterator.
+/// Passes an author's own iterator by reference.
 #[function]
 pub fn own(seed: u8) -> (Option<u32>, u32, u8) {
     let mut noise = Noise { state: seed };

@@ -1,4 +1,4 @@
-//! A name for all of what is matched, where that is lent to be written: the place itself, not a copy.
+//! A pattern that names a matched number by mutable reference: the number itself changes, not a copy.
 
 use bessemer::prelude::*;
 

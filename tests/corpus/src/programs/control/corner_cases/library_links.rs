@@ -1,8 +1,8 @@
-//! Links of chains that are functions of the library: in any order, behind one another.
+//! Adapters that are functions of the library, in any order.
 
 use bessemer::prelude::*;
 
-/// Elements of rows, one after the other: in a chain, and in a loop that stops early.
+/// Flattened rows, in a chain and in a loop that stops early.
 #[function]
 pub fn flattened(rows: &[[i16; 3]; 2], limit: i16) -> (i16, i16) {
     let mut first = 0;
@@ -15,7 +15,7 @@ pub fn flattened(rows: &[[i16; 3]; 2], limit: i16) -> (i16, i16) {
     (rows.iter().flatten().fold(0, |sum, x| sum ^ *x), first)
 }
 
-/// Numbers behind a state, and what looks on beside them.
+/// Enumerated items after `scan`, and `inspect`.
 #[function]
 pub fn numbered(values: &[i32; 5]) -> (Option<i32>, u32) {
     let mut seen = 0_u32;
@@ -36,7 +36,7 @@ pub fn numbered(values: &[i32; 5]) -> (Option<i32>, u32) {
     (most, seen)
 }
 
-/// Two closures of one chain write, each to its own.
+/// Two closures of one chain that write, each to a different variable.
 #[function]
 pub fn both_write(values: &[u8; 4]) -> (u32, u32, u32) {
     let (mut even, mut large) = (0_u32, 0_u32);
@@ -54,13 +54,13 @@ pub fn both_write(values: &[u8; 4]) -> (u32, u32, u32) {
     (count, even, large)
 }
 
-/// From the last on, behind closures.
+/// A reversed chain of closures.
 #[function]
 pub fn backwards(values: &[i32; 6]) -> i32 {
     values.iter().map(|x| x ^ 3).filter(|x| *x > 0).rev().fold(0, |s, x| s.wrapping_mul(3) ^ x)
 }
 
-/// Rest of rows after an adapter ends the inner of two loops: the outer one continues.
+/// The remaining rows after an adapter ends the inner loop: the outer one continues.
 #[function]
 pub fn leading(rows: &[[i8; 3]; 2], limit: i8) -> i32 {
     rows.iter()
@@ -68,7 +68,7 @@ pub fn leading(rows: &[[i8; 3]; 2], limit: i8) -> i32 {
         .fold(1, |sum, x| sum.wrapping_mul(5) ^ x)
 }
 
-/// Behind a link: all but the first, each second of them; what is made of the first that is large enough.
+/// Skipped and stepped items, and the first result that is large enough.
 #[function]
 pub fn thinned(values: &[i32; 6], n: usize) -> (i32, i32) {
     let thinned = values.iter().map(|x| x ^ 3).skip(n % 4).step_by(1 + n % 2);
@@ -77,7 +77,7 @@ pub fn thinned(values: &[i32; 6], n: usize) -> (i32, i32) {
     (sum, large)
 }
 
-/// An index that goes up beside what goes down, and one link behind another's rest.
+/// An increasing index zipped with reversed items, and a chain after another adapter.
 #[function]
 pub fn counted_back(values: &[i32; 6], more: &[i32; 3], limit: i32) -> i32 {
     let back = values.iter().filter(|x| **x > limit).rev().enumerate();
@@ -91,7 +91,7 @@ fn good(samples: &[f64; 4]) -> impl Iterator<Item = f64> {
     samples.iter().copied().filter(|x| *x > 0.0)
 }
 
-/// Result of a function that has a name before iteration; and a chain that begins with a computed value.
+/// A named function result before its iteration, and a chain that begins with a computed value.
 #[function]
 pub fn later(samples: &[f64; 4], start: f64) -> f64 {
     let good = good(samples);
@@ -102,7 +102,7 @@ pub fn later(samples: &[f64; 4], start: f64) -> f64 {
     sum + samples.iter().scan(sum.abs().sqrt(), |sum, x| Some(*sum + x)).sum::<f64>()
 }
 
-/// An author's own methods of these names are the author's.
+/// A type whose methods have the names of adapters.
 #[data]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Curve {

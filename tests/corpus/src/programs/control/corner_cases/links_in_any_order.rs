@@ -1,8 +1,8 @@
-//! The links of iterators in any order: what each of them is of follows from the types, not from where it stands.
+//! Adapters in any order: the type of an adapter's receiver decides which one it is.
 
 use bessemer::prelude::*;
 
-/// Elements from their end, without some, with numbers.
+/// Skips, reverses and enumerates elements: combination 1.
 #[function]
 pub fn through(v: &[u16; 5], n: usize) -> u32 {
     let mut s = 7u32;
@@ -12,7 +12,7 @@ pub fn through(v: &[u16; 5], n: usize) -> u32 {
     s
 }
 
-/// Elements from their end, without some, with numbers, again.
+/// Skips, reverses and enumerates elements: combination 2.
 #[function]
 pub fn through_one(v: &[u16; 5], n: usize) -> u32 {
     let mut s = 7u32;
@@ -22,7 +22,7 @@ pub fn through_one(v: &[u16; 5], n: usize) -> u32 {
     s
 }
 
-/// Elements from their end, without some, with numbers, once more.
+/// Skips, reverses and enumerates elements: combination 3.
 #[function]
 pub fn through_two(v: &[u16; 5], n: usize) -> u32 {
     let mut s = 7u32;
@@ -32,7 +32,7 @@ pub fn through_two(v: &[u16; 5], n: usize) -> u32 {
     s
 }
 
-/// Elements from their end, without some, with numbers, and otherwise.
+/// Skips, reverses and enumerates elements: combination 4.
 #[function]
 pub fn through_three(v: &[u16; 5], n: usize) -> u32 {
     let mut s = 7u32;
@@ -42,7 +42,7 @@ pub fn through_three(v: &[u16; 5], n: usize) -> u32 {
     s
 }
 
-/// Elements from their end, without some, with numbers, and further.
+/// Skips, reverses and enumerates elements: combination 5.
 #[function]
 pub fn through_four(v: &[u16; 5], a: i8, b: i8) -> i32 {
     let mut s = 7i32;
@@ -52,7 +52,7 @@ pub fn through_four(v: &[u16; 5], a: i8, b: i8) -> i32 {
     s
 }
 
-/// Elements from their end, without some, with numbers, and more.
+/// Skips, reverses and enumerates elements: combination 6.
 #[function]
 pub fn through_five(v: &[u16; 5], a: i8, b: i8) -> i32 {
     let mut s = 7i32;
@@ -62,7 +62,7 @@ pub fn through_five(v: &[u16; 5], a: i8, b: i8) -> i32 {
     s
 }
 
-/// A range with links behind it.
+/// Adapters on a range: combination 1.
 #[function]
 pub fn ranges(a: i16, b: i16) -> i32 {
     let mut s = 7i32;
@@ -72,7 +72,7 @@ pub fn ranges(a: i16, b: i16) -> i32 {
     s
 }
 
-/// A range with links behind it, again.
+/// Adapters on a range: combination 2.
 #[function]
 pub fn ranges_one(a: u8, b: u8) -> u32 {
     let mut s = 7u32;
@@ -82,7 +82,7 @@ pub fn ranges_one(a: u8, b: u8) -> u32 {
     s
 }
 
-/// A range with links behind it, once more.
+/// Adapters on a range: combination 3.
 #[function]
 pub fn ranges_two(a: u8, b: u8) -> u32 {
     let mut s = 7u32;
@@ -92,7 +92,7 @@ pub fn ranges_two(a: u8, b: u8) -> u32 {
     s
 }
 
-/// A range with links behind it, and otherwise.
+/// Adapters on a range: combination 4.
 #[function]
 pub fn ranges_three(a: u8, b: u8, k: u8) -> u32 {
     let mut s = 7u32;
@@ -102,7 +102,7 @@ pub fn ranges_three(a: u8, b: u8, k: u8) -> u32 {
     s
 }
 
-/// A range with links behind it, and further.
+/// Adapters on a range: combination 5.
 #[function]
 pub fn ranges_four(a: u8, b: u8, k: u8) -> u32 {
     let mut s = 7u32;
@@ -112,7 +112,7 @@ pub fn ranges_four(a: u8, b: u8, k: u8) -> u32 {
     s
 }
 
-/// A range with links behind it, and more.
+/// Adapters on a range: combination 6.
 #[function]
 pub fn ranges_five(n: u8) -> u32 {
     (0..n)
@@ -121,7 +121,7 @@ pub fn ranges_five(n: u8) -> u32 {
         .fold(1, |a, x| a * 5 % 65521 + x)
 }
 
-/// A range with links behind it, and the last.
+/// Adapters on a range: combination 7.
 #[function]
 pub fn ranges_six(a: i8, b: i8) -> i32 {
     let mut s = 7i32;
@@ -131,7 +131,7 @@ pub fn ranges_six(a: i8, b: i8) -> i32 {
     s
 }
 
-/// Groups of elements with links behind them.
+/// Adapters on chunks and windows: combination 1.
 #[function]
 pub fn groups(v: &[u8; 7], n: usize) -> u32 {
     let mut s = 7u32;
@@ -141,7 +141,7 @@ pub fn groups(v: &[u8; 7], n: usize) -> u32 {
     s.wrapping_add(n as u32)
 }
 
-/// Groups of elements with links behind them, again.
+/// Adapters on chunks and windows: combination 2.
 #[function]
 pub fn groups_one(v: &[u8; 7], n: usize) -> u32 {
     let mut s = 7u32;
@@ -154,7 +154,7 @@ pub fn groups_one(v: &[u8; 7], n: usize) -> u32 {
     s
 }
 
-/// Groups of elements with links behind them, once more.
+/// Adapters on chunks and windows: combination 3.
 #[function]
 pub fn groups_two(v: &[u8; 7], n: usize) -> u32 {
     let mut s = 7u32;
@@ -167,7 +167,7 @@ pub fn groups_two(v: &[u8; 7], n: usize) -> u32 {
     s
 }
 
-/// Groups of elements with links behind them, and otherwise.
+/// Adapters on chunks and windows: combination 4.
 #[function]
 pub fn groups_three(v: &[u8; 7], n: usize) -> u32 {
     let mut s = 7u32;
@@ -179,7 +179,7 @@ pub fn groups_three(v: &[u8; 7], n: usize) -> u32 {
     s
 }
 
-/// Groups of elements with links behind them, and further.
+/// Adapters on chunks and windows: combination 5.
 #[function]
 pub fn groups_four(v: &[u8; 7], n: usize) -> u32 {
     let mut s = 7u32;
@@ -191,7 +191,7 @@ pub fn groups_four(v: &[u8; 7], n: usize) -> u32 {
     s
 }
 
-/// Groups of elements with links behind them, and more.
+/// Adapters on chunks and windows: combination 6.
 #[function]
 pub fn groups_five(v: &[u8; 7]) -> u32 {
     let mut s = 7u32;
@@ -204,7 +204,7 @@ pub fn groups_five(v: &[u8; 7]) -> u32 {
     s
 }
 
-/// Pairs of pairs, and what begins anew.
+/// Nested zips and cycles: combination 1.
 #[function]
 pub fn pairs(v: &[i16; 5], w: &[i16; 3], n: usize) -> i32 {
     let mut s = 7i32;
@@ -217,7 +217,7 @@ pub fn pairs(v: &[i16; 5], w: &[i16; 3], n: usize) -> i32 {
     s.wrapping_add(n as i32)
 }
 
-/// Pairs of pairs, and what begins anew, again.
+/// Nested zips and cycles: combination 2.
 #[function]
 pub fn pairs_one(v: &[i16; 5], w: &[i16; 3], n: usize) -> i32 {
     let mut s = 7i32;
@@ -227,7 +227,7 @@ pub fn pairs_one(v: &[i16; 5], w: &[i16; 3], n: usize) -> i32 {
     s.wrapping_add(n as i32)
 }
 
-/// Pairs of pairs, and what begins anew, once more.
+/// Nested zips and cycles: combination 3.
 #[function]
 pub fn pairs_two(v: &[i16; 5], w: &[i16; 3], n: usize) -> i32 {
     let mut s = 7i32;
@@ -237,7 +237,7 @@ pub fn pairs_two(v: &[i16; 5], w: &[i16; 3], n: usize) -> i32 {
     s
 }
 
-/// Pairs of pairs, and what begins anew, and otherwise.
+/// Nested zips and cycles: combination 4.
 #[function]
 pub fn pairs_three(v: &[i16; 5], w: &[i16; 3], n: usize) -> i32 {
     let mut s = 7i32;
@@ -247,7 +247,7 @@ pub fn pairs_three(v: &[i16; 5], w: &[i16; 3], n: usize) -> i32 {
     s
 }
 
-/// Pairs of pairs, and what begins anew, and further.
+/// Nested zips and cycles: combination 5.
 #[function]
 pub fn pairs_four(v: &[i16; 5], w: &[i16; 3], n: usize) -> i32 {
     let mut s = 7i32;
@@ -257,7 +257,7 @@ pub fn pairs_four(v: &[i16; 5], w: &[i16; 3], n: usize) -> i32 {
     s
 }
 
-/// Pairs of pairs, and what begins anew, and more.
+/// Nested zips and cycles: combination 6.
 #[function]
 pub fn pairs_five(v: &[i16; 5], w: &[i16; 3], n: usize) -> i32 {
     let mut s = 7i32;
@@ -270,7 +270,7 @@ pub fn pairs_five(v: &[i16; 5], w: &[i16; 3], n: usize) -> i32 {
     s.wrapping_add(i32::from(v[0]))
 }
 
-/// Elements that are written while they are gone through.
+/// Elements that are written during the iteration: combination 1.
 #[function]
 pub fn written(v: &mut [i16; 6], n: usize) -> i32 {
     for (i, x) in v.iter_mut().rev().skip(n % 7).enumerate() {
@@ -282,7 +282,7 @@ pub fn written(v: &mut [i16; 6], n: usize) -> i32 {
     v.iter().fold(1i32, |a, x| a.wrapping_mul(31).wrapping_add(i32::from(*x)))
 }
 
-/// Elements that are written while they are gone through, again.
+/// Elements that are written during the iteration: combination 2.
 #[function]
 pub fn written_one(v: &mut [i16; 6], n: usize) -> i32 {
     for (part, i) in v.chunks_mut(n % 4 + 1).zip(3i16..) {
@@ -296,7 +296,7 @@ pub fn written_one(v: &mut [i16; 6], n: usize) -> i32 {
     v.iter().fold(1i32, |a, x| a.wrapping_mul(31).wrapping_add(i32::from(*x)))
 }
 
-/// Elements that are written while they are gone through, once more.
+/// Elements that are written during the iteration: combination 3.
 #[function]
 pub fn written_two(v: [i16; 6], n: usize) -> i32 {
     let mut v = v;
@@ -312,7 +312,7 @@ pub fn written_two(v: [i16; 6], n: usize) -> i32 {
     v.iter().fold(s, |a, x| a.wrapping_mul(31).wrapping_add(i32::from(*x)))
 }
 
-/// Elements that are written while they are gone through, and otherwise.
+/// Elements that are written during the iteration: combination 4.
 #[function]
 pub fn written_three(v: [i16; 6], n: usize) -> i32 {
     let mut v = v;
@@ -325,7 +325,7 @@ pub fn written_three(v: [i16; 6], n: usize) -> i32 {
     v.iter().fold(s, |a, x| a.wrapping_mul(31).wrapping_add(i32::from(*x)))
 }
 
-/// Links gone through by hand.
+/// Adapters advanced by `next` calls: combination 1.
 #[function]
 pub fn hands(v: &[u8; 6], n: usize) -> u32 {
     let mut it = v.iter().rev().enumerate();
@@ -345,7 +345,7 @@ pub fn hands(v: &[u8; 6], n: usize) -> u32 {
     s
 }
 
-/// Links gone through by hand, again.
+/// Adapters advanced by `next` calls: combination 2.
 #[function]
 pub fn hands_one(v: &[u8; 6], n: usize) -> u32 {
     let mut it = v.iter().skip(n % 4).zip(5u32..);
@@ -359,7 +359,7 @@ pub fn hands_one(v: &[u8; 6], n: usize) -> u32 {
     s
 }
 
-/// Links gone through by hand, once more.
+/// Adapters advanced by `next` calls: combination 3.
 #[function]
 pub fn hands_two(n: u8) -> u32 {
     let mut it = (3..n % 9).step_by(2);
@@ -373,7 +373,7 @@ pub fn hands_two(n: u8) -> u32 {
     s + it.next().map_or(0, u32::from)
 }
 
-/// Links gone through by hand, and otherwise.
+/// Adapters advanced by `next` calls: combination 4.
 #[function]
 pub fn hands_three(v: &[u8; 6], n: usize) -> u32 {
     let mut it = v.iter().step_by(n % 3 + 1).rev();
@@ -382,13 +382,13 @@ pub fn hands_three(v: &[u8; 6], n: usize) -> u32 {
     u32::from(a) << 9 | u32::from(b)
 }
 
-/// Closures between the links.
+/// Closures between adapters: combination 1.
 #[function]
 pub fn chained(v: &[u8; 6], n: usize) -> Option<(usize, u8)> {
     v.iter().copied().enumerate().rev().skip(n % 5).max_by_key(|(i, x)| *x ^ *i as u8)
 }
 
-/// Closures between the links, again.
+/// Closures between adapters: combination 2.
 #[function]
 pub fn chained_one(v: &[u8; 6], n: usize) -> u32 {
     v.iter()
@@ -399,7 +399,7 @@ pub fn chained_one(v: &[u8; 6], n: usize) -> u32 {
         .sum()
 }
 
-/// Closures between the links, once more.
+/// Closures between adapters: combination 3.
 #[function]
 pub fn chained_two(v: &[u8; 6], n: usize) -> u32 {
     v.iter()
@@ -411,7 +411,7 @@ pub fn chained_two(v: &[u8; 6], n: usize) -> u32 {
         .sum()
 }
 
-/// Closures between the links, and otherwise.
+/// Closures between adapters: combination 4.
 #[function]
 pub fn chained_three(v: &[u8; 6], n: usize) -> u32 {
     v.iter()
@@ -421,7 +421,7 @@ pub fn chained_three(v: &[u8; 6], n: usize) -> u32 {
         .sum()
 }
 
-/// Closures between the links, and further.
+/// Closures between adapters: combination 5.
 #[function]
 pub fn chained_four(v: &[u8; 6], n: usize) -> u32 {
     let mut s = 3u32;
@@ -431,7 +431,7 @@ pub fn chained_four(v: &[u8; 6], n: usize) -> u32 {
     s + n as u32 % 7
 }
 
-/// Closures between the links, and more.
+/// Closures between adapters: combination 6.
 #[function]
 pub fn chained_five(v: &[u8; 6], n: usize) -> u32 {
     let mut s = 3u32;
@@ -441,7 +441,7 @@ pub fn chained_five(v: &[u8; 6], n: usize) -> u32 {
     s
 }
 
-/// Closures between the links, and the last.
+/// Closures between adapters: combination 7.
 #[function]
 pub fn chained_six(v: &[u8; 6], n: usize) -> u32 {
     let mut s = 3u32;
@@ -464,7 +464,7 @@ pub fn chained_six(v: &[u8; 6], n: usize) -> u32 {
     s
 }
 
-/// Ranges without an end beside those that have one.
+/// Ranges with and without an end: combination 1.
 #[function]
 pub fn open(v: &[u8; 5], a: u8) -> u32 {
     let mut s = 3u32;
@@ -474,7 +474,7 @@ pub fn open(v: &[u8; 5], a: u8) -> u32 {
     s
 }
 
-/// Ranges without an end beside those that have one, again.
+/// Ranges with and without an end: combination 2.
 #[function]
 pub fn open_one(v: &[u8; 5], a: u8) -> u32 {
     let mut s = 3u32;
@@ -487,7 +487,7 @@ pub fn open_one(v: &[u8; 5], a: u8) -> u32 {
     s
 }
 
-/// Ranges without an end beside those that have one, once more.
+/// Ranges with and without an end: combination 3.
 #[function]
 pub fn open_two(v: &[u8; 5], a: u8, b: u8) -> u32 {
     let mut s = 3u32;
@@ -497,7 +497,7 @@ pub fn open_two(v: &[u8; 5], a: u8, b: u8) -> u32 {
     s
 }
 
-/// Ranges without an end beside those that have one, and otherwise.
+/// Ranges with and without an end: combination 4.
 #[function]
 pub fn open_three(v: &[u8; 5], a: u8, b: u8) -> u32 {
     let mut s = 3u32;
@@ -507,7 +507,7 @@ pub fn open_three(v: &[u8; 5], a: u8, b: u8) -> u32 {
     s
 }
 
-/// Ranges without an end beside those that have one, and further.
+/// Ranges with and without an end: combination 5.
 #[function]
 pub fn open_four(v: &[u8; 5], a: u8) -> u32 {
     let mut s = 3u32;

@@ -1,4 +1,4 @@
-//! Ranges at the limits of their types, and loops in loops.
+//! Ranges at the limits of their types, and nested loops.
 
 use bessemer::prelude::*;
 

@@ -1,29 +1,29 @@
-//! Iterators are made where they stand: what a function computes before its first item, and what is copied, happens there.
+//! An iterator is constructed where its expression is: computations before its first item, and copies, happen there.
 
 use bessemer::prelude::*;
 
-/// One more, from one to eight.
+/// Increments a count; returns the new value.
 #[function]
 fn bump(count: &mut u32) -> u32 {
     *count = (*count & 7) + 1;
     *count
 }
 
-/// From one count to the next, and two more.
+/// The numbers from one count to three beyond the next.
 #[function]
 fn counts(count: &mut u32) -> impl Iterator<Item = u32> + Clone + use<> {
     let start = bump(count);
     (start..bump(count) + 2).map(move |value| value ^ start)
 }
 
-/// Changed by a key that is computed once.
+/// Items multiplied by a key that is computed once.
 #[function]
 fn keyed<I: Iterator<Item = u32>>(items: I, count: &mut u32) -> impl Iterator<Item = u32> + use<I> {
     let key = bump(count);
     items.map(move |value| value ^ key)
 }
 
-/// Before what it begins with.
+/// The iterator is constructed before the initial value of the fold is evaluated.
 #[function]
 pub fn folded(count: u32) -> (u32, u32) {
     let mut count = count;
@@ -31,7 +31,7 @@ pub fn folded(count: u32) -> (u32, u32) {
     (sum, count)
 }
 
-/// Under a name, before what comes between.
+/// A named iterator is constructed before the statements that follow.
 #[function]
 pub fn named(count: u32) -> (u32, u32) {
     let mut count = count;
@@ -41,7 +41,7 @@ pub fn named(count: u32) -> (u32, u32) {
     (odd.fold(sum, |sum, value| sum.wrapping_mul(5) ^ value), count)
 }
 
-/// By hand.
+/// An iterator constructed once, and advanced by `next`.
 #[function]
 pub fn by_hand(count: u32) -> (u32, Option<u32>, u32) {
     let mut count = count;
@@ -52,7 +52,7 @@ pub fn by_hand(count: u32) -> (u32, Option<u32>, u32) {
     (items.fold(first ^ between, |sum, value| sum ^ value), second, count)
 }
 
-/// In a function that takes one.
+/// An iterator constructed as an argument of a function that iterates over it.
 #[function]
 pub fn through(count: u32, other: u32, values: &[u32; 3]) -> (u32, u32, u32) {
     let (mut count, mut other) = (count, other);
@@ -61,7 +61,7 @@ pub fn through(count: u32, other: u32, values: &[u32; 3]) -> (u32, u32, u32) {
     (all.fold(between, |sum, value| sum.wrapping_mul(3) ^ value), count, other)
 }
 
-/// Two of them, from left to right.
+/// Two iterators constructed from left to right, and compared.
 #[function]
 pub fn same(count: u32) -> (bool, u32) {
     let mut count = count;
@@ -69,14 +69,14 @@ pub fn same(count: u32) -> (bool, u32) {
     (same, count)
 }
 
-/// Parts whose computation may fail, whether they are requested or not.
+/// An iterator whose construction may fault, even if no item is requested.
 #[function]
 fn parts(of: u32) -> impl Iterator<Item = u32> {
     let step = 1000 / of;
     (0..3).map(move |part| part * step)
 }
 
-/// Its fault comes before that of the index.
+/// The construction's fault comes before that of the index.
 #[function]
 pub fn unwanted(of: u32, values: &[u32; 4], at: usize) -> u32 {
     let all = parts(of);
@@ -87,7 +87,7 @@ pub fn unwanted(of: u32, values: &[u32; 4], at: usize) -> u32 {
     all.fold(value, |sum, part| sum ^ part)
 }
 
-/// Halves of a number, to zero.
+/// Repeated halves of a number, until zero.
 #[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Halves {
@@ -107,7 +107,7 @@ impl Iterator for Halves {
     }
 }
 
-/// A copy of a chain goes on by itself.
+/// A clone of a chain advances independently of the original.
 #[function]
 pub fn copied(left: u32) -> (u32, u32, u32) {
     let all = Halves { left }.take(5).map(|value| value ^ 3);
@@ -117,7 +117,7 @@ pub fn copied(left: u32) -> (u32, u32, u32) {
     (next, twice.count() as u32, all.fold(7, |sum: u32, value| sum.wrapping_mul(5) ^ value))
 }
 
-/// A chain above it, of which so many are wanted.
+/// A chain on top of it, of which a few items are taken.
 #[function]
 pub fn changed(left: u32, key: u32) -> u32 {
     let mut sum = 0_u32;
@@ -128,7 +128,7 @@ pub fn changed(left: u32, key: u32) -> u32 {
     named.take(6).fold(sum, |sum, value| sum.wrapping_mul(3) ^ value)
 }
 
-/// By hand, and as a copy.
+/// That chain advanced by `next`, and a clone of it.
 #[function]
 pub fn changed_by_hand(left: u32) -> ([Option<u32>; 4], u32) {
     let mut items = Halves { left }.map(|value| value ^ 6);
@@ -138,7 +138,7 @@ pub fn changed_by_hand(left: u32) -> ([Option<u32>; 4], u32) {
     ([first, second, third, items.next()], rest ^ copy.take(3).sum::<u32>())
 }
 
-/// A loop that goes round once.
+/// A loop over one item.
 #[function]
 pub fn once(value: i16, key: i16) -> (i16, i16) {
     let mut digest = value;
@@ -166,7 +166,7 @@ pub fn once(value: i16, key: i16) -> (i16, i16) {
     (digest, chosen)
 }
 
-/// Alternatives of a pattern share their names, also where they are kept apart from others.
+/// Alternatives of a pattern that bind the same names.
 #[function]
 pub fn alternatives(of: Option<i16>, key: i16) -> (i16, i16) {
     let mut key = key;
@@ -184,7 +184,7 @@ pub fn alternatives(of: Option<i16>, key: i16) -> (i16, i16) {
     (ends, key)
 }
 
-/// A size of zero fails where the iterator is made, whether its items are wanted or not.
+/// A size of zero faults when the iterator is constructed, even if no item is requested.
 #[function]
 pub fn sizes(values: &[u32; 4], size: usize, at: usize, kind: u8) -> u32 {
     let size = size & 3;
@@ -215,7 +215,7 @@ pub fn sizes(values: &[u32; 4], size: usize, at: usize, kind: u8) -> u32 {
     parts as u32
 }
 
-/// The rest of an iterator, and a copy of what is made of it.
+/// The rest of an iterator, and a clone of an adapter of it.
 #[function]
 pub fn rest(values: &[u32; 6], key: u32) -> [u32; 3] {
     let mut items = values.iter().copied();
@@ -225,13 +225,13 @@ pub fn rest(values: &[u32; 6], key: u32) -> [u32; 3] {
     [first, sum, rest.fold(1, |sum: u32, value| sum.wrapping_mul(5) ^ value)]
 }
 
-/// Returns its argument unchanged.
+/// Returns its iterator unchanged.
 #[function]
 fn passed<I: Iterator<Item = u32>>(items: I) -> impl Iterator<Item = u32> {
     items
 }
 
-/// By hand through that, and on.
+/// An iterator that a function returns, advanced by `next`.
 #[function]
 pub fn handed(values: &[u32; 6]) -> ([Option<u32>; 3], u32) {
     let mut items = values.iter().copied();

@@ -1,4 +1,4 @@
-//! `match` in every place, with arms that overlap.
+//! `match` in every position, with arms that overlap.
 
 use bessemer::prelude::*;
 

@@ -1,5 +1,5 @@
-//! Authors' own iterators by value: a loop iterates over a value of its own, whatever it was copied from. Also the
-//! order of evaluation of iterators side by side.
+//! Authors' own iterators by value: a loop iterates over its own copy and leaves the original unchanged. Also the
+//! evaluation order of zipped iterators.
 
 use bessemer::prelude::*;
 
@@ -24,7 +24,7 @@ impl Iterator for Count {
     }
 }
 
-/// Holds one.
+/// Owns an iterator.
 #[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Keep {
@@ -35,19 +35,19 @@ pub struct Keep {
 
 #[data]
 impl Keep {
-    /// Its values, which reading changes.
+    /// The values of its iterator; reading them changes it.
     pub fn values(&mut self) -> [u32; 3] {
         self.changes = self.changes.wrapping_mul(3).wrapping_add(1);
         [self.changes, self.it.at, 7]
     }
 
-    /// One that counts from what changed.
+    /// An iterator that begins with a changed value.
     pub fn made(&mut self) -> Count {
         self.changes = self.changes.wrapping_mul(5) ^ 2;
         Count { at: self.changes & 7, end: 20 }
     }
 
-    /// Through clones of what cannot be changed.
+    /// Iterates over clones, since `self` is immutable.
     pub fn looked(&self) -> u32 {
         let first = match self.other.clone() {
             Some(it) => it.take(2).fold(0, |a, b| a ^ b),
@@ -63,13 +63,13 @@ impl Keep {
     }
 }
 
-/// Keeps one for the others.
+/// Returns a `Keep` for the other functions.
 #[function]
 fn kept(n: u32) -> Keep {
     Keep { it: Count { at: n & 3, end: 9 }, other: (n & 4 > 0).then_some(Count { at: n & 7, end: 12 }), changes: n }
 }
 
-/// Closures take values.
+/// Closures that take iterators by value.
 #[function]
 pub fn closures(a: u32) -> [u32; 4] {
     let it = Count { at: 0, end: a & 15 };
@@ -83,7 +83,7 @@ pub fn closures(a: u32) -> [u32; 4] {
     [first, total(it), second ^ third, keep.it.at]
 }
 
-/// By reference, a closure moves it on.
+/// A closure that advances an iterator by reference.
 #[function]
 pub fn moved_on(p: &mut Count) -> u32 {
     let f = |it: Count| it.take(2).fold(0_u32, u32::wrapping_add);
@@ -92,7 +92,7 @@ pub fn moved_on(p: &mut Count) -> u32 {
     before.wrapping_mul(31).wrapping_add(f(p.clone()))
 }
 
-/// The first operand is evaluated first.
+/// The first operand of `zip` is evaluated first.
 #[function]
 pub fn side_by_side(n: u32, mut v: [u32; 3]) -> [u32; 3] {
     let mut k = Keep { it: Count { at: n & 3, end: 9 }, other: None, changes: n };
@@ -119,7 +119,7 @@ pub fn side_by_side(n: u32, mut v: [u32; 3]) -> [u32; 3] {
     [first, second ^ v[0], third ^ m]
 }
 
-/// Inherent methods have priority over those of the iterator.
+/// An iterator with inherent methods that have priority over those of `Iterator`.
 #[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cursor {
@@ -138,19 +138,19 @@ impl Iterator for Cursor {
 
 #[data]
 impl Cursor {
-    /// By seven.
+    /// Returns the number and advances by seven.
     pub fn next(&mut self) -> Option<u32> {
         self.n = self.n.wrapping_add(7);
         Some(self.n)
     }
 
-    /// Present position.
+    /// The current position.
     pub fn position(&self) -> usize {
         self.n as usize
     }
 }
 
-/// Methods of both kinds.
+/// Calls of inherent methods and of the iterator's.
 #[function]
 pub fn cursors(n: u32) -> (Option<u32>, usize, u32, Option<u32>) {
     let mut cursor = Cursor { n };
@@ -160,7 +160,7 @@ pub fn cursors(n: u32) -> (Option<u32>, usize, u32, Option<u32>) {
     (own, at, sum, cursor.nth(1))
 }
 
-/// In closures of others.
+/// Iterators inside the closures of other iterators.
 #[function]
 pub fn within(values: &[u32; 4], n: u32) -> (u32, [u32; 2]) {
     let mut it = Count { at: n & 7, end: 9 };
@@ -168,13 +168,13 @@ pub fn within(values: &[u32; 4], n: u32) -> (u32, [u32; 2]) {
     (sum, core::array::from_fn(|_| it.next().unwrap_or(1)))
 }
 
-/// One that is written where a function gives it.
+/// An iterator that is a function's last expression.
 #[function]
 pub fn items(n: u32) -> impl Iterator<Item = u32> {
     Count { at: 0, end: n }.take(4)
 }
 
-/// Gone through, with what is kept.
+/// Iterates over that, with an owned iterator.
 #[function]
 pub fn given(n: u32) -> (u32, u32) {
     let mut sum = 0_u32;
@@ -184,7 +184,7 @@ pub fn given(n: u32) -> (u32, u32) {
     (sum, kept(n).looked())
 }
 
-/// A parameter by value, and a name of its clone.
+/// An iterator parameter by value, and a named clone of it.
 #[function]
 pub fn again(it: Count) -> (u32, u32) {
     let first = match it.clone() {

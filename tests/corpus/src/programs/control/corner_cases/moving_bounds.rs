@@ -1,4 +1,4 @@
-//! Loops that change what their conditions compare: what lies between them at first need not do so at the head of a pass.
+//! Loops that change both sides of their condition: a relation that holds at first need not hold in later iterations.
 
 use bessemer::prelude::*;
 
@@ -54,7 +54,7 @@ pub fn divided(d: u32, n: u32) -> u32 {
     bits
 }
 
-/// Sums without a check: each pass that begins within the bounds ends within them.
+/// Sums that need no check: an iteration that begins within the bounds also ends within them.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sums {

@@ -1,4 +1,4 @@
-//! A `bool` whose arms are names: what stands there is done once, whatever it is.
+//! A `match` on a `bool` whose arms bind a name: the expression is evaluated once.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Constants and variants under names that other variants have.
+//! Constants and variants with the names of other variants.
 
 use bessemer::prelude::*;
 
@@ -20,7 +20,7 @@ pub enum Order {
     Stop,
 }
 
-/// Named as the variants are, of other values.
+/// Constants with the names of the variants, but other values.
 #[allow(non_upper_case_globals)]
 mod presets {
     use super::{Mode, Order};

@@ -1,8 +1,8 @@
-//! The C that replaces a method evaluates everything once, in the order of the Rust.
+//! The C that replaces a method evaluates each operand once, in the order of the Rust.
 
 use bessemer::prelude::*;
 
-/// The next of three places.
+/// Returns the next of three indices.
 #[function]
 fn next(place: &mut usize) -> usize {
     *place = (*place + 1) % 3;
@@ -28,7 +28,7 @@ pub fn start_before_value(low: i8, high: i8) -> bool {
     (low..high).contains(&raised(&mut low))
 }
 
-/// The key of each, once.
+/// The key of each element is computed once.
 #[function]
 pub fn keys_counted(values: [i32; 3]) -> (i32, Option<i32>) {
     let mut asked = 0;
@@ -39,27 +39,27 @@ pub fn keys_counted(values: [i32; 3]) -> (i32, Option<i32>) {
     (asked, best.copied())
 }
 
-/// The key of the only one may fault.
+/// The key of a single element may fault.
 #[function]
 pub fn key_of_one(values: [i32; 1]) -> Option<i32> {
     values.iter().max_by_key(|value| 10 / **value).copied()
 }
 
-/// The key of the first faults before that of the second does.
+/// The key of the first element faults before that of the second.
 #[function]
 pub fn keys_in_order(values: [i32; 2]) -> Option<i32> {
     let key = |value: i32| if value > 3 { value + 2_147_483_640 } else { 10 / value };
     values.iter().min_by_key(|value| key(**value)).copied()
 }
 
-/// The pair of the least sum, the first of several.
+/// The pair with the least sum; the first of several.
 #[function]
 pub fn key_of_pairs(a: [i16; 3], b: [u8; 3]) -> Option<(i16, u8)> {
     let least = a.iter().zip(&b).min_by_key(|(x, y)| i32::from(**x / 2) + i32::from(**y / 4));
     least.map(|(x, y)| (*x, *y))
 }
 
-/// The position of a view is evaluated once.
+/// The index of a column view is evaluated once.
 #[function]
 pub fn scaled_column(m: Matrix3<f64>, place: usize) -> (Matrix3<f64>, usize) {
     let (mut m, mut place) = (m, place % 3);
@@ -74,7 +74,7 @@ pub fn column_of_several(m: [Matrix2<f64>; 3], place: usize) -> ([Matrix2<f64>; 
     (m, place)
 }
 
-/// Before what is written there moves it.
+/// A view's position is evaluated before the written value changes it.
 #[function]
 pub fn filled_view(m: Matrix3<f64>, place: usize) -> Matrix3<f64> {
     let (mut m, mut place) = (m, place % 2);
@@ -85,7 +85,7 @@ pub fn filled_view(m: Matrix3<f64>, place: usize) -> Matrix3<f64> {
     m
 }
 
-/// The author's own `part`.
+/// An author's parameter with the name `part`.
 #[function]
 pub fn own_part(m: Matrix3<f64>, part: Vector3<f64>) -> Matrix3<f64> {
     let mut m = m;

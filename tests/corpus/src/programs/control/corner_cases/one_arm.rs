@@ -1,26 +1,26 @@
-//! A `let` of a reference whose value is a `match` or an `if let` with one arm that does not leave. The name is that
-//! place.
+//! A `let` of a reference whose value is a `match` or an `if let` with only one arm that does not exit. The name
+//! refers to that place.
 
 use bessemer::prelude::*;
 
-/// A struct with places.
+/// A struct whose fields are referred to.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shelf {
-    /// Some.
+    /// Levels of the shelf.
     pub levels: [u8; 3],
-    /// Perhaps one.
+    /// An optional number.
     pub spare: Option<i16>,
 }
 
 #[data]
 impl Shelf {
-    /// Lends a level.
+    /// A mutable reference to a level.
     pub fn level(&mut self, i: usize) -> Option<&mut u8> {
         self.levels.get_mut(i)
     }
 
-    /// A match on its own method's result.
+    /// A `match` on the result of its own method.
     pub fn raise(&mut self, i: usize, by: u8) -> bool {
         let level = match self.level(i) {
             Some(level) => level,
@@ -42,7 +42,7 @@ pub fn written(levels: &mut [u8; 4], i: usize) -> u8 {
     *level
 }
 
-/// Goes on with the next, or ends.
+/// The other arm continues or breaks a loop.
 #[function]
 pub fn in_loops(levels: &mut [u8; 4], at: &[usize; 3]) -> u8 {
     let mut sum = 0_u8;
@@ -61,7 +61,7 @@ pub fn in_loops(levels: &mut [u8; 4], at: &[usize; 3]) -> u8 {
     sum
 }
 
-/// An argument, with the arms in either order.
+/// Optional references as arguments, with the arms in either order.
 #[function]
 pub fn given(first: Option<&mut u8>, second: Option<&mut u8>) -> u8 {
     let one = match first {
@@ -80,7 +80,7 @@ pub fn given(first: Option<&mut u8>, second: Option<&mut u8>) -> u8 {
     *one
 }
 
-/// An error that is handed on, and a name that means something else behind the `match`.
+/// The other arm returns an error whose name means something else after the `match`.
 #[function]
 pub fn handed_on(levels: &mut [u8; 4], r: Result<usize, u8>, e: u8, i: usize) -> Result<u8, u8> {
     let level = match r {
@@ -91,7 +91,7 @@ pub fn handed_on(levels: &mut [u8; 4], r: Result<usize, u8>, e: u8, i: usize) ->
     Ok(*level ^ i as u8)
 }
 
-/// A found place, written before it has its name.
+/// A place that a search finds, written before it is named.
 #[function]
 pub fn found(levels: &mut [u8; 4], sought: u8) -> u8 {
     let level = if let Some(level) = levels.iter_mut().find(|it| **it == sought) {
@@ -104,7 +104,7 @@ pub fn found(levels: &mut [u8; 4], sought: u8) -> u8 {
     *level
 }
 
-/// Arms before and behind that which stays.
+/// Exiting arms before and after the other one.
 #[function]
 pub fn between(shelf: &mut Shelf, k: u8) -> u8 {
     let level = match k {

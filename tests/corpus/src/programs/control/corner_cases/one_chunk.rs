@@ -1,4 +1,4 @@
-//! Chunks longer than any slice.
+//! Chunks that are longer than any slice.
 
 use bessemer::prelude::*;
 

@@ -1,9 +1,9 @@
-//! Ranges without an end, alone and beside elements. The last number of the type is followed by a fault, and a `zip`
-//! requests its parts in order, once more than the shortest has elements.
+//! Ranges without an end, alone and zipped with elements. The request after the last number of the type is a fault,
+//! and a `zip` requests from its parts in order, one time more often than the shortest has elements.
 
 use bessemer::prelude::*;
 
-/// The range is asked before the elements have an end.
+/// The range is requested from before the elements end, so it may fault.
 #[function]
 pub fn range_first(n: u8, values: &[u8; 3]) -> u32 {
     let mut sum = 0;
@@ -16,7 +16,7 @@ pub fn range_first(n: u8, values: &[u8; 3]) -> u32 {
     sum
 }
 
-/// The range is asked for elements alone.
+/// The elements end first, so the range is not requested from again.
 #[function]
 pub fn elements_first(n: u8, values: &[u8; 3]) -> u32 {
     let mut sum = 0;
@@ -26,7 +26,7 @@ pub fn elements_first(n: u8, values: &[u8; 3]) -> u32 {
     sum
 }
 
-/// The second has an end before the range is asked once more, or it has not.
+/// Three parts: whether the range is requested from once more depends on the second part's end.
 #[function]
 pub fn between(n: u8, values: &[u8; 4], a: usize, b: usize) -> u32 {
     let (first, second) = (&values[..a % 5], &values[..b % 5]);
@@ -37,7 +37,7 @@ pub fn between(n: u8, values: &[u8; 4], a: usize, b: usize) -> u32 {
     sum
 }
 
-/// Two ranges, one of them within.
+/// Two ranges, one of them in the middle.
 #[function]
 pub fn two(n: i8, values: &[u8; 4], a: usize) -> i32 {
     let mut sum = 0;
@@ -48,7 +48,7 @@ pub fn two(n: i8, values: &[u8; 4], a: usize) -> i32 {
     sum
 }
 
-/// Nothing is asked behind a `break`.
+/// After a `break`, no part is requested from.
 #[function]
 pub fn left(n: u8, values: &[u8; 3], most: u8) -> u8 {
     let mut seen = 0;
@@ -61,7 +61,7 @@ pub fn left(n: u8, values: &[u8; 3], most: u8) -> u8 {
     seen
 }
 
-/// No elements.
+/// A zip with an empty slice.
 #[function]
 pub fn nothing(n: u8, values: &[u8; 3], a: usize) -> u8 {
     let mut seen = 0;
@@ -71,7 +71,7 @@ pub fn nothing(n: u8, values: &[u8; 3], a: usize) -> u8 {
     seen
 }
 
-/// Numbers that do not come to the last of their type.
+/// Ranges that end before the last number of their type.
 #[function]
 pub fn calm(values: &mut [i16; 4]) -> (i16, usize, i16, Option<u8>) {
     let mut sum = 0;
@@ -90,7 +90,7 @@ pub fn calm(values: &mut [i16; 4]) -> (i16, usize, i16, Option<u8>) {
     (folded, sum, k, at)
 }
 
-/// By hand.
+/// A zip with a range, advanced by `next`.
 #[function]
 pub fn by_hand(values: &[u8; 4]) -> (Option<(u8, u8)>, u8) {
     let mut pairs = (250..).zip(values.iter().copied());
@@ -98,7 +98,7 @@ pub fn by_hand(values: &[u8; 4]) -> (Option<(u8, u8)>, u8) {
     (first, pairs.fold(0, |a, (i, x)| a ^ i ^ x))
 }
 
-/// Elements come first in a chain: each asks for one number, whoever goes through them.
+/// Elements first: one number is requested for each, in whatever way the items are consumed.
 #[function]
 pub fn chained(n: u8, values: &[u8; 3]) -> (u32, bool, u32) {
     let sum = values.iter().zip(250 + n % 6..).map(|(x, i)| u32::from(*x) + u32::from(i)).sum();
@@ -110,19 +110,19 @@ pub fn chained(n: u8, values: &[u8; 3]) -> (u32, bool, u32) {
     (sum, all, some)
 }
 
-/// A function gives them.
+/// A function that returns a zip with a range.
 #[function]
 fn numbered(values: &[u8; 3]) -> impl Iterator<Item = (u8, u8)> {
     (1..).zip(values.iter().copied())
 }
 
-/// And they are gone through.
+/// Iterates over the returned zip.
 #[function]
 pub fn given(values: &[u8; 3]) -> u8 {
     numbered(values).fold(0, |a, (i, x)| a ^ (i * (x & 7)))
 }
 
-/// A loop that is left alone ends a range.
+/// A range in a loop that only a `break` ends.
 #[function]
 pub fn alone(n: u8, most: u32) -> u32 {
     let mut sum = 0;
@@ -135,7 +135,7 @@ pub fn alone(n: u8, most: u32) -> u32 {
     sum
 }
 
-/// So does what a chain looks for.
+/// A range in a chain that ends when it finds an item.
 #[function]
 pub fn found(n: i8, part: i8) -> (Option<i8>, Option<u16>) {
     let found = (100 + n % 28..).find(|i| i % 16 == part % 16);

@@ -1,4 +1,4 @@
-//! Order of evaluation, and effects in the midst of expressions.
+//! Order of evaluation, and side effects inside expressions.
 
 use bessemer::prelude::*;
 

@@ -1,8 +1,8 @@
-//! Variables that a loop or a closure binds with `mut` are copies: neither element nor counter changes with them.
+//! Variables that a loop or a closure binds with `mut` are copies: changing them changes neither element nor counter.
 
 use bessemer::prelude::*;
 
-/// Elements that pass a filter, then are changed.
+/// Elements that pass a filter and are then changed as copies.
 #[function]
 pub fn raised(values: &mut [i32; 4]) -> i32 {
     let raised = values.iter().copied().filter(|x| *x > 0).map(|mut x| {
@@ -13,7 +13,7 @@ pub fn raised(values: &mut [i32; 4]) -> i32 {
     raised
 }
 
-/// The case of a closure at the beginning, after one that computes, and in the index.
+/// Changed copies in the first closure of a chain, in a later one, and in an index.
 #[function]
 pub fn raised_each(values: &[i16; 3]) -> i64 {
     let plain = values.iter().copied().map(|mut x| {
@@ -31,7 +31,7 @@ pub fn raised_each(values: &[i16; 3]) -> i64 {
     plain + second + index as i64
 }
 
-/// Counters.
+/// Changed copies of loop counters.
 #[function]
 pub fn counted(last: u8) -> u32 {
     let mut sum = 0;

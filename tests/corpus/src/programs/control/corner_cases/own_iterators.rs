@@ -1,8 +1,9 @@
-//! Iterators of one's own wherever an iterator stands: beside others, by hand, in a struct, under a name, given to a function.
+//! Authors' own iterators in every position: zipped, advanced by `next`, in a struct, under a name, and as an
+//! argument.
 
 use bessemer::prelude::*;
 
-/// The steps of a ramp: each as far from the last as the slope says, and the goal in the end.
+/// The steps of a ramp: each changes by at most the slope, and the last is the goal.
 #[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ramp {
@@ -13,7 +14,7 @@ pub struct Ramp {
 
 #[data]
 impl Ramp {
-    /// From one value to another.
+    /// A ramp from one value to another.
     pub fn new(from: i32, to: i32, slope: i32) -> Ramp {
         Ramp { at: from, goal: to, slope: slope.saturating_abs().max(1) }
     }
@@ -41,7 +42,7 @@ impl Iterator for Ramp {
     }
 }
 
-/// The most passes of a ramp.
+/// Largest number of steps of a ramp.
 pub const LIMIT: usize = 12;
 
 /// Length and sum of a ramp.
@@ -62,13 +63,13 @@ pub fn through(from: i32, to: i32) -> (u32, i32) {
     (steps, sum)
 }
 
-/// A chain of the first few.
+/// The sum of the first `n` steps.
 #[function]
 pub fn taken(from: i32, to: i32, n: usize) -> i32 {
     Ramp::new(from, to, 10).take(n & 7).map(|x| x.wrapping_mul(3)).filter(|x| x % 2 == 0).fold(0, |sum, x| sum ^ x)
 }
 
-/// The ramp beside elements, which come first and end it, and before them.
+/// The ramp zipped with elements, as the second and as the first part.
 #[function]
 pub fn beside(values: &[i32; 5], to: i32) -> (i32, i32) {
     let mut first = 0_i32;
@@ -82,7 +83,7 @@ pub fn beside(values: &[i32; 5], to: i32) -> (i32, i32) {
     (first, second)
 }
 
-/// Rest of a ramp after explicit `next` calls.
+/// The rest of a ramp after `next` calls.
 #[function]
 pub fn by_hand(to: i32) -> (Option<i32>, u32, Option<i32>, i32) {
     let mut ramp = Ramp::new(0, to, 2);
@@ -97,7 +98,7 @@ pub fn by_hand(to: i32) -> (Option<i32>, u32, Option<i32>, i32) {
     (first, even, third, ramp.at)
 }
 
-/// The sum of what any iterator gives.
+/// The sum of the items of any iterator.
 #[function]
 pub fn summed(items: impl Iterator<Item = i32>) -> i32 {
     let mut sum = 0_i32;
@@ -107,7 +108,7 @@ pub fn summed(items: impl Iterator<Item = i32>) -> i32 {
     sum
 }
 
-/// An iterator that others keep.
+/// A struct with an iterator as a field.
 #[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mover {
@@ -117,7 +118,7 @@ pub struct Mover {
 
 #[data]
 impl Mover {
-    /// Moves by a few steps; where it comes to.
+    /// Moves by a few steps; returns the position.
     pub fn advance(&mut self, steps: usize) -> i32 {
         let mut last = self.ramp.at;
         for value in self.ramp.by_ref().take(steps & 3) {
@@ -127,7 +128,7 @@ impl Mover {
         last
     }
 
-    /// The step after, and the ramp that it is part of.
+    /// The next step of the ramp in its field.
     pub fn step(&mut self) -> Option<i32> {
         let ramp = &mut self.ramp;
         let next = ramp.next()?;
@@ -136,7 +137,7 @@ impl Mover {
     }
 }
 
-/// Given to a function, by reference and by value.
+/// Passes the ramp to a function, by reference and by value.
 #[function]
 pub fn given(to: i32) -> [i32; 3] {
     let mut ramp = Ramp::new(0, to, 5);
@@ -145,7 +146,7 @@ pub fn given(to: i32) -> [i32; 3] {
     [first, at, summed(ramp)]
 }
 
-/// Lent to a loop, which ends by its bound's last pass or before; then taken from by path.
+/// Passes the ramp to a loop by reference, and then takes the next step.
 #[function]
 pub fn lent(to: i32) -> (i32, Option<i32>) {
     let mut ramp = Ramp::new(0, to & 15, 5);
@@ -158,7 +159,7 @@ pub fn lent(to: i32) -> (i32, Option<i32>) {
     (sum, Ramp::next(&mut ramp))
 }
 
-/// Held under a name before it is gone through.
+/// A ramp with a name before its loop.
 #[function]
 pub fn held(to: i32) -> i32 {
     let ramp = Ramp::new(1, to, 4);
@@ -170,7 +171,7 @@ pub fn held(to: i32) -> i32 {
     product
 }
 
-/// The fields of a line, by where each begins and ends.
+/// Iterator over the fields of a line of text.
 #[data]
 #[derive(Clone, Debug)]
 pub struct Fields<'a> {
@@ -196,7 +197,7 @@ impl<'a> Iterator for Fields<'a> {
     }
 }
 
-/// Sums up the fields, of which there are no more than bytes.
+/// Sums the lengths of the fields; there are no more fields than bytes.
 #[function]
 pub fn fields(line: &[u8; 6]) -> u32 {
     let mut sum = 0_u32;

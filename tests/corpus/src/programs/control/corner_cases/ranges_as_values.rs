@@ -1,11 +1,11 @@
-//! Ranges as parts of structs, tuples and arrays, and as parameters: loops and chains through them, their lengths, and slices
-//! by them.
+//! Ranges in structs, tuples and arrays, and as parameters: loops and chains over them, their lengths, and slices by
+//! them.
 
 use core::ops::{Range, RangeInclusive};
 
 use bessemer::prelude::*;
 
-/// When something is on.
+/// An interval of time in which something is switched on.
 #[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Window {
@@ -14,13 +14,13 @@ pub struct Window {
     closed: RangeInclusive<u16>,
 }
 
-/// Made of its ends.
+/// Constructs a window from its ends.
 #[function]
 pub fn made(from: u8, to: u8) -> Window {
     Window { hours: from..to, signed: (from, -3..to as i8), closed: u16::from(from)..=u16::from(to) }
 }
 
-/// Gone through, as they are and by links.
+/// Iterates over the ranges, directly and by adapters.
 #[function]
 pub fn through(window: &Window) -> [u32; 5] {
     let mut sums = [0_u32; 5];
@@ -38,7 +38,7 @@ pub fn through(window: &Window) -> [u32; 5] {
     sums
 }
 
-/// A range with its last number.
+/// A range that includes its end.
 #[function]
 pub fn closed(window: &Window) -> u32 {
     let mut digest = 7_u32;
@@ -48,7 +48,7 @@ pub fn closed(window: &Window) -> u32 {
     digest
 }
 
-/// Numbers of integers in ranges.
+/// Lengths of ranges of several integer types.
 #[function]
 pub fn lengths(window: &Window, low: i32, high: i32) -> [usize; 4] {
     let wide = Range { start: low, end: high };
@@ -56,7 +56,7 @@ pub fn lengths(window: &Window, low: i32, high: i32) -> [usize; 4] {
     [window.hours.len(), window.signed.1.len(), wide.len(), words.len()]
 }
 
-/// A loop does not see what its body does to the range.
+/// A loop over a copy of the range: changes of the range in its body have no effect.
 #[function]
 pub fn changed(mut part: core::ops::Range<u8>) -> (u32, u8) {
     let mut count = 0_u32;
@@ -68,7 +68,7 @@ pub fn changed(mut part: core::ops::Range<u8>) -> (u32, u8) {
     (count, part.start ^ part.end)
 }
 
-/// Parts of a slice.
+/// Slices by a range.
 #[function]
 pub fn parts(values: &[u8; 9], part: core::ops::Range<usize>) -> u32 {
     let mut sum = 0_u32;

@@ -1,10 +1,10 @@
-//! Iterators under a second name, and beside names like theirs; own operators in closures; ranges that are elements.
+//! Iterators under a second name, and next to the same names; own operators in closures; ranges as elements.
 
 use core::ops::{Add, Range};
 
 use bessemer::prelude::*;
 
-/// Lent to a name that is not `mut`.
+/// A reference to an iterator under a name that is not `mut`.
 #[function]
 pub fn lent(values: &[u8; 8]) -> (Option<u8>, Option<u8>, usize) {
     let mut items = values.iter().copied();
@@ -13,7 +13,7 @@ pub fn lent(values: &[u8; 8]) -> (Option<u8>, Option<u8>, usize) {
     (first, bytes.next(), bytes.count())
 }
 
-/// The search by its method.
+/// Searches by a method that takes the iterator by reference.
 #[function]
 pub fn by_method(values: &[u8; 8], end: u8) -> [Option<usize>; 3] {
     let mut parts = values.split(|byte| *byte == end);
@@ -21,7 +21,7 @@ pub fn by_method(values: &[u8; 8], end: u8) -> [Option<usize>; 3] {
     core::array::from_fn(|_| left.next().map(|part| part.len()))
 }
 
-/// Under a second name where it is a parameter.
+/// Binds its parameter to a second name.
 #[function]
 fn two(items: &mut impl Iterator<Item = u8>) -> u32 {
     let rest = items;
@@ -29,7 +29,7 @@ fn two(items: &mut impl Iterator<Item = u8>) -> u32 {
     first.wrapping_mul(300).wrapping_add(rest.next().map_or(257, u32::from))
 }
 
-/// Lent on, again and again.
+/// Passes the iterator by reference several times.
 #[function]
 pub fn again(values: &[u8; 8]) -> (u32, u32, u32, usize) {
     let mut items = values.iter().copied();
@@ -38,7 +38,7 @@ pub fn again(values: &[u8; 8]) -> (u32, u32, u32, usize) {
     (first, two(lent), two(lent), items.count())
 }
 
-/// A chain of an iterator that is counted already: each item is counted once.
+/// A chain on an iterator that is also read itself: each item is counted once.
 #[function]
 pub fn mapped(values: &[u8; 8], k: u8) -> ([Option<u8>; 4], usize) {
     let mut items = values.iter().copied();
@@ -49,21 +49,21 @@ pub fn mapped(values: &[u8; 8], k: u8) -> ([Option<u8>; 4], usize) {
     ([first, second, third, rest.next()], items.count())
 }
 
-/// One more.
+/// Increments a count and returns it.
 #[function]
 fn counted_up(count: &mut u32) -> u32 {
     *count = count.wrapping_add(1) & 7;
     *count
 }
 
-/// An iterator whose end is computed when it is made.
+/// An iterator whose end is computed when it is constructed.
 #[function]
 fn below(count: &mut u32) -> impl Iterator<Item = u32> + use<> {
     let start = *count & 1;
     (start..counted_up(count)).map(move |value| value ^ start)
 }
 
-/// By hand, so that the function's loop goes on again and again.
+/// Constructed once and advanced by `next`; a function's loop continues it.
 #[function]
 pub fn made_once(count: u32) -> ([Option<u32>; 4], u32) {
     let mut count = count;
@@ -72,7 +72,7 @@ pub fn made_once(count: u32) -> ([Option<u32>; 4], u32) {
     (taken, count)
 }
 
-/// An end in an array, of which the index changes in the loop.
+/// Ranges in an array, with an index that changes in the loop.
 #[function]
 pub fn wandering(ranges: &[core::ops::Range<u8>; 3]) -> u32 {
     let (mut at, mut digest) = (0_usize, 0_u32);
@@ -83,7 +83,7 @@ pub fn wandering(ranges: &[core::ops::Range<u8>; 3]) -> u32 {
     digest
 }
 
-/// Beside a name of another.
+/// An iterator whose name hides another.
 #[function]
 pub fn shadowed(values: &[u8; 8], k: u8) -> u32 {
     let mut it = values.iter();
@@ -98,7 +98,7 @@ pub fn shadowed(values: &[u8; 8], k: u8) -> u32 {
     digest
 }
 
-/// A word that is not `Copy`.
+/// A struct that is not `Copy`.
 #[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Word {
@@ -114,7 +114,7 @@ impl Add<&Word> for Word {
     }
 }
 
-/// Digest of words.
+/// A sum of words.
 #[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Digest(u32);
@@ -133,7 +133,7 @@ impl From<Word> for Digest {
     }
 }
 
-/// A closure moves its operand.
+/// A closure that moves its operand.
 #[function]
 pub fn folded(values: &[u32; 4]) -> [u32; 3] {
     let words = values.map(|of| Word { of });
@@ -142,7 +142,7 @@ pub fn folded(values: &[u32; 4]) -> [u32; 3] {
     [twice, Digest::from(&sum).0, Digest::from(sum).0]
 }
 
-/// Ranges in an array.
+/// Ranges as elements of an array.
 #[function]
 pub fn elements(ranges: &[core::ops::Range<u8>; 3], k: usize) -> u32 {
     let mut digest = 0_u32;

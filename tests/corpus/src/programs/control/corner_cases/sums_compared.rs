@@ -1,8 +1,8 @@
-//! Loops that count in a part of what they compare: a sum, a difference, a product, a square.
+//! Loops that increment a part of the compared expression: a sum, a difference, a product, a square.
 
 use bessemer::prelude::*;
 
-/// The sum of the products of numbers with the second next.
+/// The sum of the products of each number with the one two places later.
 #[function]
 pub fn correlated(values: &[u8; 16], used: usize) -> u32 {
     let n = used.min(values.len());
@@ -38,7 +38,7 @@ pub fn is_prime(n: u16) -> bool {
     n > 1
 }
 
-/// The last place of three in a row that do not fall.
+/// The last index of three non-decreasing values in a row.
 #[function]
 pub fn rising(values: &[i16; 12]) -> Option<usize> {
     let mut at = 0;
@@ -52,7 +52,7 @@ pub fn rising(values: &[i16; 12]) -> Option<usize> {
     found
 }
 
-/// Doubles until three times it is enough.
+/// Doubles a number until three times it reaches `wanted`.
 #[function]
 pub fn enough(wanted: u16) -> u32 {
     let (wanted, mut offered) = (u32::from(wanted), 1);

@@ -1,8 +1,8 @@
-//! Patterns of closures: names that hide others, pairs that are named twice, nested ones, arguments that are parameters.
+//! Patterns of closures: names that hide others, pairs with two names, nested ones, arguments that are parameters.
 
 use bessemer::prelude::*;
 
-/// The names of a pair change from link to link.
+/// The names of a pair differ from adapter to adapter.
 #[function]
 pub fn renamed(values: &[i32; 4], i: i32, x: i32) -> i32 {
     let found = values
@@ -15,7 +15,7 @@ pub fn renamed(values: &[i32; 4], i: i32, x: i32) -> i32 {
     found + i % 7 + x % 3
 }
 
-/// A pair beside an index, each part by itself.
+/// A pair next to an index, with each part bound separately.
 #[function]
 pub fn nested(a: &[i32; 4], b: &[i32; 4]) -> i32 {
     a.iter()
@@ -26,7 +26,7 @@ pub fn nested(a: &[i32; 4], b: &[i32; 4]) -> i32 {
         .fold(0, |sum, x| sum ^ x)
 }
 
-/// Pairs in the array, by reference and by value.
+/// An array of pairs, by reference and by value.
 #[function]
 pub fn pairs(values: &[(i16, u8); 3]) -> (usize, i32, Option<i32>) {
     let below = values.iter().filter(|(a, b)| *a < i16::from(*b)).count();
@@ -44,7 +44,7 @@ pub fn swapped(a: i32, b: i32) -> (i32, i32) {
     turned((d, c), b)
 }
 
-/// Destructured temporaries; unused parts are computed nevertheless.
+/// Destructured temporaries; parts without a name are computed as well.
 #[function]
 pub fn made(values: &[u8; 4], divisor: u8) -> (u32, usize) {
     let sum = values
@@ -62,7 +62,7 @@ pub fn gathered(values: &[i32; 4], a: i32, b: i32) -> (i32, i32) {
     values.iter().fold((b % 100, a % 100), |(a, b), x| (b + x % 10, a + 1))
 }
 
-/// It ends at the first, and what comes behind is not computed.
+/// The chain ends at the first failure, and later items are not computed.
 #[function]
 pub fn tried(values: &[i8; 4], start: i8) -> (Option<i8>, u8) {
     let mut asked = 0;
@@ -78,7 +78,7 @@ pub fn tried(values: &[i8; 4], start: i8) -> (Option<i8>, u8) {
     (sum, asked)
 }
 
-/// In a condition, on the way to something else.
+/// Patterns in a condition that leads to another result.
 #[function]
 pub fn doubted(values: &[u8; 3], limit: u8) -> Result<u8, u8> {
     if values.iter().try_fold(0_u8, |sum, x| sum.checked_add(*x)).is_none() {

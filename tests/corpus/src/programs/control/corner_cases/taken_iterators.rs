@@ -1,4 +1,4 @@
-//! Iterators that are parameters: gone through where the function is called, with what was copied into them.
+//! Iterators as parameters: the function's loop iterates over the argument, with the values that were copied into it.
 
 #![allow(missing_docs)]
 
@@ -48,7 +48,7 @@ where
     sum / f64::from(n)
 }
 
-/// Leaves its own body, and not its caller.
+/// A `return` inside the loop leaves this function, and not its caller.
 #[function]
 fn first_above<T: Real>(values: impl Iterator<Item = T>, limit: T) -> Option<T> {
     for value in values {
@@ -73,7 +73,7 @@ fn by_place(values: impl Iterator<Item = (usize, u32)>) -> u64 {
     values.map(|(at, value)| at as u64 * u64::from(value)).sum()
 }
 
-/// Hands on what it was given.
+/// Passes its parameter on.
 #[function]
 fn twice(values: impl Iterator<Item = u32>) -> u32 {
     total(values.map(|value| value.wrapping_mul(2)))
@@ -84,7 +84,7 @@ fn through_both(values: impl Iterator<Item = u32>) -> u32 {
     twice(values)
 }
 
-/// Writes what its iterator was made of.
+/// Writes to a variable that its iterator was made from.
 #[function]
 fn counting(values: impl IntoIterator<Item = u32>, count: &mut u32) -> u32 {
     *count = 5;

@@ -1,18 +1,18 @@
-//! Something done to each item until it fails: `try_for_each`.
+//! `try_for_each` calls a closure for each item until it fails.
 
 use bessemer::prelude::*;
 
-/// Kinds of items.
+/// Reason of a failure.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
-    /// It is more than there may be.
+    /// An item is too large: its value.
     Large(u8),
-    /// There are too many.
+    /// There are too many items.
     Many,
 }
 
-/// Copies those that are in order, up to one that is not.
+/// Copies items up to the first that fails.
 #[function]
 pub fn copied(values: &[u8; 5], most: u8, out: &mut [u8; 4]) -> Result<(), Fault> {
     let mut count = 0_usize;
@@ -32,7 +32,7 @@ pub fn without(values: &[u8], one: u8) -> Option<()> {
     values.iter().rev().take(4).try_for_each(|value| (*value != one).then_some(()))
 }
 
-/// Goes on by `?`.
+/// Uses `?` on the result of `try_for_each`.
 #[function]
 pub fn both(values: &[u8; 5], most: u8) -> Result<u32, Fault> {
     let mut sum = 0_u32;

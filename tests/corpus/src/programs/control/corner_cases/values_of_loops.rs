@@ -1,4 +1,4 @@
-//! The value of a `loop` is anything, also where the loop is but a branch of what has the value.
+//! A `loop` may have a value of any type, also as a branch of an `if` or a `match`.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Loops and `match` in every width of integer, to the ends of the type.
+//! Loops and `match` with every width of integer, up to the limits of the type.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Assignments to several places.
+//! Assignments to several places at once.
 
 use bessemer::prelude::*;
 
@@ -29,7 +29,7 @@ pub fn looked_up(at: usize) -> u16 {
     TABLE[at % 4] + OFFSETS[at % 2] + TABLE.len() as u16
 }
 
-/// A point, and how it is reached.
+/// A point, and the number of steps to it.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reached {
@@ -37,7 +37,7 @@ pub struct Reached {
     pub by: Step,
 }
 
-/// Width of the step, and number of repetitions.
+/// Width of a step, and number of repetitions.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step(pub i16, pub u8);

@@ -1,5 +1,5 @@
-//! Values that borrow, turned over: lenders that are shadowed, copied, chosen by an index that moves, and slices that are
-//! changed in loops.
+//! Values that borrow, reassigned: borrowed variables that are shadowed, copied or selected by a changing index, and
+//! slices that loops change.
 
 #![allow(missing_docs)]
 

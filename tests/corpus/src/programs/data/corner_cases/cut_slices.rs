@@ -1,9 +1,9 @@
-//! Slices cut into parts by `split` and its like. The parts are used in loops, in chains and by explicit `next` calls,
-//! some of which continue in a loop of their own.
+//! Slices split into parts by `split` and similar methods. The parts are used in loops, in chains and by explicit
+//! `next` calls, some of which continue in a loop.
 
 use bessemer::prelude::*;
 
-/// The sum of the numbers in a line, of which none is more than one digit wrong.
+/// The sum of the numbers in a line, or `None` if one of them has more than one invalid digit.
 #[function]
 pub fn summed(line: &[u8]) -> Option<u32> {
     let mut sum = 0_u32;
@@ -17,7 +17,7 @@ pub fn summed(line: &[u8]) -> Option<u32> {
     Some(sum)
 }
 
-/// Parts in chains.
+/// Parts of a split in chains.
 #[function]
 pub fn chained(line: &[u8; 9], end: u8) -> [usize; 5] {
     let short = line.split(|byte| byte & 3 == end & 3).filter(|part| part.len() < 3).count();
@@ -28,7 +28,7 @@ pub fn chained(line: &[u8; 9], end: u8) -> [usize; 5] {
     [short, second, rising, whole, last]
 }
 
-/// An empty slice has one part, and none with its end.
+/// The number of parts of an empty slice: one for `split`, none for `split_inclusive`.
 #[function]
 pub fn empty(line: &[u8]) -> (usize, usize, usize) {
     let none = &line[..line.len().min(1) / 2];
@@ -39,7 +39,7 @@ pub fn empty(line: &[u8]) -> (usize, usize, usize) {
     )
 }
 
-/// By hand, with a copy that goes on by itself, another that is gone through, and the rest.
+/// Parts taken by `next`, with a clone that advances independently, one in a loop, and the rest.
 #[function]
 pub fn by_hand(line: &[u8]) -> Option<[usize; 5]> {
     let mut fields = line.split(|byte| *byte & 7 == 0);
@@ -52,7 +52,7 @@ pub fn by_hand(line: &[u8]) -> Option<[usize; 5]> {
     Some([first.len(), left, second.len(), other.len(), rest])
 }
 
-/// Bytes of which some have another behind them.
+/// Bytes with escape sequences.
 #[function]
 pub fn unescaped(frame: &[u8; 8], open: u8) -> Option<(u32, usize)> {
     let mut bytes = frame.iter();
@@ -71,7 +71,7 @@ pub fn unescaped(frame: &[u8; 8], open: u8) -> Option<(u32, usize)> {
     Some((sum, count + bytes.count()))
 }
 
-/// Pairs among the remaining items of a chain, up to one of another kind.
+/// Pairs among the remaining items of a chain, up to an item that is none.
 #[function]
 pub fn pairs(values: &[i16]) -> i32 {
     let mut odd = values.iter().filter(|value| **value & 1 == 1).map(|value| i32::from(*value));
@@ -89,7 +89,7 @@ pub fn pairs(values: &[i16]) -> i32 {
     sum
 }
 
-/// Fields of fields.
+/// Splits the parts of a split again.
 #[function]
 pub fn nested(text: &[u8; 10]) -> u32 {
     let mut lines = text.split(|byte| *byte & 15 == 10);

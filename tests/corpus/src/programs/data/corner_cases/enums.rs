@@ -1,4 +1,4 @@
-//! Enums with payload: held, built, changed in place, matched, compared.
+//! Enums with payload: stored, constructed, changed in place, matched and compared.
 
 use bessemer::prelude::*;
 
@@ -6,19 +6,19 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum State {
-    /// Nothing.
+    /// Off.
     #[default]
     Idle,
-    /// Heats until so many periods have passed.
+    /// Heats for a number of periods.
     Heating(u16),
     /// Holds a temperature.
     Holding {
         /// Target temperature, °C.
         target: f64,
-        /// For how many periods it has.
+        /// Number of periods at this temperature so far.
         since: u16,
     },
-    /// Has stopped for good.
+    /// Has failed permanently, with a reason and a temperature.
     Failed(Reason, f32),
 }
 
@@ -29,7 +29,7 @@ pub enum Reason {
     NoSensor,
 }
 
-/// An order from outside.
+/// A command from outside.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Order {
@@ -38,7 +38,7 @@ pub enum Order {
     Hold(f64),
 }
 
-/// One payload only.
+/// An enum of which every variant but one has no payload.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Reading {
@@ -48,7 +48,7 @@ pub enum Reading {
     Saturated,
 }
 
-/// Enums in an enum.
+/// An enum that contains other enums.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
@@ -75,7 +75,7 @@ impl State {
         matches!(self, State::Holding { target, .. } if *target > 50.0)
     }
 
-    /// One period later.
+    /// The state one period later.
     pub fn next(self, temperature: f64) -> State {
         match self {
             State::Idle => self,

@@ -1,8 +1,8 @@
-//! Arrays that a loop fills partly, or reads before it fills them, keep their initial zeros.
+//! Arrays that a loop fills only partly, or reads while it fills them, keep their initial zeros.
 
 use bessemer::prelude::*;
 
-/// All but the last.
+/// All elements but the last are filled.
 #[function]
 pub fn all_but_one(x: f64) -> [f64; 5] {
     let mut list = [0.0; 5];
@@ -12,7 +12,7 @@ pub fn all_but_one(x: f64) -> [f64; 5] {
     list
 }
 
-/// Only where something holds.
+/// An element is filled only if a condition holds.
 #[function]
 pub fn where_it_holds(x: &[f64; 4]) -> [f64; 4] {
     let mut list = [0.0; 4];
@@ -24,7 +24,7 @@ pub fn where_it_holds(x: &[f64; 4]) -> [f64; 4] {
     list
 }
 
-/// Not after a break.
+/// Elements after a `break` are not filled.
 #[function]
 pub fn until(x: &[i32; 4]) -> [i32; 4] {
     let mut list = [7; 4];
@@ -37,7 +37,7 @@ pub fn until(x: &[i32; 4]) -> [i32; 4] {
     list
 }
 
-/// Each from the one before.
+/// Each element is computed from the one before.
 #[function]
 pub fn summed(x: &Vector4<f64>) -> Vector4<f64> {
     let mut sums = Vector4::zeros();
@@ -48,7 +48,7 @@ pub fn summed(x: &Vector4<f64>) -> Vector4<f64> {
     sums
 }
 
-/// Only the diagonal.
+/// Only the diagonal is filled.
 #[function]
 pub fn diagonal(x: f32) -> Matrix3<f32> {
     let mut matrix = Matrix3::zeros();
@@ -58,7 +58,7 @@ pub fn diagonal(x: f32) -> Matrix3<f32> {
     matrix
 }
 
-/// Only one column, and the transpose of what is filled.
+/// Only one column is filled; and the transpose of a filled matrix.
 #[function]
 pub fn column(x: f64) -> (SMatrix<f64, 2, 3>, SMatrix<f64, 2, 2>) {
     let mut matrix = SMatrix::<f64, 2, 3>::zeros();
@@ -74,7 +74,7 @@ pub fn column(x: f64) -> (SMatrix<f64, 2, 3>, SMatrix<f64, 2, 2>) {
     (matrix, square)
 }
 
-/// Whole, in each branch, and from behind.
+/// All elements are filled, in each branch, and in reverse order.
 #[function]
 pub fn whole(x: &[f64; 4], turn: bool) -> [f64; 4] {
     let mut list = [0.0; 4];

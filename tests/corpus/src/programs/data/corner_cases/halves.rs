@@ -1,18 +1,18 @@
-//! Parts of an array that have no element in common are lent side by side, to be written.
+//! Disjoint parts of an array, passed as mutable references at the same time.
 
 use bessemer::prelude::*;
 
-/// Rows that are split.
+/// Rows and a list that are split.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rows {
-    /// Some.
+    /// Rows of bytes.
     pub rows: [[u8; 4]; 2],
-    /// As many as there are.
+    /// A list of bytes.
     pub list: List<u8, 6>,
 }
 
-/// Writes both.
+/// Writes both slices; returns their common length.
 #[function]
 pub fn mixed(one: &mut [u8], other: &mut [u8]) -> usize {
     for (x, y) in one.iter_mut().zip(other.iter_mut()) {
@@ -22,7 +22,7 @@ pub fn mixed(one: &mut [u8], other: &mut [u8]) -> usize {
     one.len() * 10 + other.len()
 }
 
-/// Writes one, and reads the other.
+/// Copies one slice to the other.
 #[function]
 pub fn copied(to: &mut [u8], from: &[u8]) {
     for (x, y) in to.iter_mut().zip(from) {
@@ -30,7 +30,7 @@ pub fn copied(to: &mut [u8], from: &[u8]) {
     }
 }
 
-/// Writes three.
+/// Rotates the elements of three slices.
 #[function]
 pub fn turned(a: &mut [u8], b: &mut [u8], c: &mut [u8]) -> u8 {
     let first = a[0];
@@ -40,7 +40,7 @@ pub fn turned(a: &mut [u8], b: &mut [u8], c: &mut [u8]) -> u8 {
     a[0] ^ b[0]
 }
 
-/// Halves whose ends are numbers.
+/// Halves with constant ends.
 #[function]
 pub fn in_halves(values: &mut [u8; 8]) -> usize {
     let (low, high) = values.split_at_mut(4);
@@ -49,7 +49,7 @@ pub fn in_halves(values: &mut [u8; 8]) -> usize {
     count
 }
 
-/// Three parts, wherever they end.
+/// Three parts with any ends.
 #[function]
 pub fn in_three(values: &mut [u8; 8], n: usize, m: usize) -> (u8, u8) {
     let (a, rest) = values.split_at_mut(1 + n % 4);
@@ -66,7 +66,7 @@ pub fn behind_the_first(values: &mut [u8; 8], n: usize) -> usize {
     mixed(b, a)
 }
 
-/// A row, and what is in a list.
+/// Parts of a row and of a list.
 #[function]
 pub fn of_rows(rows: &mut Rows, n: usize, i: usize) -> usize {
     let (a, b) = rows.rows[i].split_at_mut(n % 6);

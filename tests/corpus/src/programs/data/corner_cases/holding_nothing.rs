@@ -5,27 +5,27 @@ use core::ops::Mul;
 
 use bessemer::prelude::*;
 
-/// A mark.
+/// A zero-sized struct.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mark {}
 
 #[data]
 impl Mark {
-    /// Counts, and fails at four.
+    /// Increments a count, and faults at four.
     fn count(&self, n: &mut u32) -> Mark {
         *n += 1;
         assert!(*n != 4);
         Mark {}
     }
 
-    /// Its number.
+    /// A constant code.
     fn code(self) -> u32 {
         7
     }
 }
 
-/// Between two that hold something.
+/// A zero-sized field between two others.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Slot {
@@ -34,12 +34,12 @@ pub struct Slot {
     after: u16,
 }
 
-/// First of its parts.
+/// A tuple struct whose first field is zero-sized.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tagged<U>(PhantomData<U>, u32, Mark, u32);
 
-/// In a variant.
+/// An enum whose variants have zero-sized payloads.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
@@ -57,7 +57,7 @@ impl Mul<Mark> for u32 {
     }
 }
 
-/// In the order in which Rust does it.
+/// Evaluates the fields in the order of the Rust.
 #[function]
 pub fn counted(n: u32) -> u32 {
     let mut n = n % 8;
@@ -66,7 +66,7 @@ pub fn counted(n: u32) -> u32 {
     u32::from(slot.before) * 10_000 + u32::from(slot.after) * 100 + n + again.code()
 }
 
-/// A zero-sized element that may be absent.
+/// A zero-sized element that may be out of range.
 #[function]
 pub fn looked(slots: &mut [Slot; 3], i: usize, j: usize) -> u32 {
     let mark = slots[i].mark;
@@ -75,7 +75,7 @@ pub fn looked(slots: &mut [Slot; 3], i: usize, j: usize) -> u32 {
     u32::from(before) + u32::from(after) + mark.code()
 }
 
-/// Parts by their numbers, where the first is not there.
+/// Fields by number, although the first does not exist in the C.
 #[function]
 pub fn numbered(x: u32, y: u32) -> [u32; 3] {
     let mut tagged: Tagged<f32> = Tagged(PhantomData, x, Mark {}, y);
@@ -86,7 +86,7 @@ pub fn numbered(x: u32, y: u32) -> [u32; 3] {
     [other.1, third, mark.code()]
 }
 
-/// Variants.
+/// Matches the variants.
 #[function]
 pub fn kinds(x: u32) -> u32 {
     let kind = match x % 3 {
@@ -116,7 +116,7 @@ fn found_twice(x: u32) -> Result<u32, Slot> {
     Ok(mark.code())
 }
 
-/// `Option` and `Result` of what holds nothing.
+/// `Option` and `Result` of zero-sized values.
 #[function]
 pub fn there(x: u32) -> u32 {
     let mut n = 0;
@@ -139,7 +139,7 @@ fn applied(f: impl Fn(u32) -> u32, x: u32, mark: Mark) -> u32 {
     f(x).wrapping_add(mark.code())
 }
 
-/// In closures, in tuples that are never made, in loops and blocks that give it.
+/// Zero-sized values in closures, in unused tuples, and as the values of loops and blocks.
 #[function]
 pub fn passed(x: u32) -> u32 {
     let (mark, y) = (Mark {}, x);
@@ -167,7 +167,7 @@ pub fn passed(x: u32) -> u32 {
     }
 }
 
-/// A constant with something that is not there.
+/// A constant with zero-sized fields.
 const START: Tagged<Mark> = Tagged(PhantomData, 3, Mark {}, 4);
 
 #[function]
@@ -176,7 +176,7 @@ fn begun<T: Default>(n: u32) -> T {
     T::default()
 }
 
-/// Made of nothing, but for what may fail.
+/// Constructs zero-sized values from expressions that may fault.
 #[function]
 pub fn made(n: u32) -> u32 {
     let mark: Mark = begun(n);

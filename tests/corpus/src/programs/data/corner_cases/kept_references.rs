@@ -1,4 +1,4 @@
-//! A name for what a value refers to stays with it when the value comes to refer to something else.
+//! A reference obtained from a variable keeps referring to the same place when the variable is reassigned.
 
 use bessemer::prelude::*;
 
@@ -12,7 +12,7 @@ pub struct Sample {
     pub weight: i32,
 }
 
-/// The best sample by now, and the one before.
+/// References to the best sample so far and the one before.
 #[data]
 #[derive(Clone, Copy, Debug)]
 pub struct Best<'a> {
@@ -20,7 +20,7 @@ pub struct Best<'a> {
     before: &'a Sample,
 }
 
-/// By assignment of an option.
+/// The option is assigned again.
 #[function]
 pub fn assigned(a: &Sample, b: &Sample) -> i32 {
     let mut best = Some(a);
@@ -32,7 +32,7 @@ pub fn assigned(a: &Sample, b: &Sample) -> i32 {
     if let Some(now) = best { sum.wrapping_add(now.value) } else { sum }
 }
 
-/// By methods of an option that put something else in.
+/// Methods of the option replace its content.
 #[function]
 pub fn replaced(a: &Sample, b: &Sample) -> i32 {
     let mut best = Some(a);
@@ -54,7 +54,7 @@ pub fn replaced(a: &Sample, b: &Sample) -> i32 {
     if best.is_none() { sum } else { -1 }
 }
 
-/// By a part of a tuple.
+/// A part of a tuple is assigned again.
 #[function]
 pub fn in_a_tuple(a: &Sample, b: &Sample) -> i32 {
     let mut pair = (a, 1);
@@ -64,7 +64,7 @@ pub fn in_a_tuple(a: &Sample, b: &Sample) -> i32 {
     kept.value.wrapping_mul(11).wrapping_add(pair.0.value).wrapping_add(pair.1)
 }
 
-/// By a field of a struct, and by the whole of it.
+/// A field of a struct is assigned, and then the whole struct.
 #[function]
 pub fn in_a_struct(a: &Sample, b: &Sample) -> i32 {
     let mut best = Best { now: a, before: a };
@@ -77,7 +77,7 @@ pub fn in_a_struct(a: &Sample, b: &Sample) -> i32 {
     sum.wrapping_add(second.value).wrapping_add(best.before.weight.wrapping_mul(17))
 }
 
-/// Through a parameter that is the function's own.
+/// A parameter that the function owns is assigned again.
 #[function]
 fn of_its_own<'a>(mut best: Option<&'a Sample>, other: &'a Sample) -> i32 {
     if let Some(kept) = best {
@@ -87,13 +87,13 @@ fn of_its_own<'a>(mut best: Option<&'a Sample>, other: &'a Sample) -> i32 {
     0
 }
 
-/// By a function that takes the option.
+/// Calls a function that takes the option.
 #[function]
 pub fn in_a_parameter(a: &Sample, b: &Sample) -> i32 {
     of_its_own(Some(a), b)
 }
 
-/// The largest in a loop, and the one that it came after.
+/// The largest sample in a loop, and the one before it.
 #[function]
 pub fn in_a_loop(samples: &[Sample; 4]) -> i32 {
     let mut best: Option<&Sample> = None;
@@ -111,7 +111,7 @@ pub fn in_a_loop(samples: &[Sample; 4]) -> i32 {
     sum.wrapping_add(best.map_or(0, |it| it.weight))
 }
 
-/// By a swap of two.
+/// Two references are swapped.
 #[function]
 pub fn swapped<'a>(a: &'a Sample, b: &'a Sample) -> i32 {
     let (mut one, mut other) = (Some(a), Some(b));
@@ -123,7 +123,7 @@ pub fn swapped<'a>(a: &'a Sample, b: &'a Sample) -> i32 {
     0
 }
 
-/// By a name in a pattern that may change.
+/// A mutable name in a pattern is assigned again.
 #[function]
 pub fn in_a_pattern(a: &Sample, b: &Sample) -> i32 {
     let (mut best, other) = (Some(a), b);
@@ -134,7 +134,7 @@ pub fn in_a_pattern(a: &Sample, b: &Sample) -> i32 {
     0
 }
 
-/// Through a reference to the option.
+/// The option is changed through a reference.
 #[function]
 fn lent<'a>(best: &mut Option<&'a Sample>, other: &'a Sample) -> i32 {
     if let Some(kept) = *best {
@@ -144,7 +144,7 @@ fn lent<'a>(best: &mut Option<&'a Sample>, other: &'a Sample) -> i32 {
     0
 }
 
-/// By a function that changes the option of its caller.
+/// A function changes the option of its caller.
 #[function]
 pub fn of_its_caller<'a>(a: &'a Sample, b: &'a Sample) -> i32 {
     let mut best = Some(a);
@@ -152,7 +152,7 @@ pub fn of_its_caller<'a>(a: &'a Sample, b: &'a Sample) -> i32 {
     sum.wrapping_add(best.map_or(0, |it| it.value))
 }
 
-/// By a pattern, of the first of several.
+/// A pattern on the first of several structs.
 #[function]
 fn of_the_first<'a>(pairs: &mut [Best<'a>], b: &'a Sample) -> i32 {
     let [first, ..] = pairs else { return 0 };
@@ -161,7 +161,7 @@ fn of_the_first<'a>(pairs: &mut [Best<'a>], b: &'a Sample) -> i32 {
     now.value.wrapping_mul(19).wrapping_add(first.now.weight)
 }
 
-/// By a function that takes several.
+/// Calls a function that takes several structs.
 #[function]
 pub fn in_a_slice(a: &Sample, b: &Sample) -> i32 {
     let mut pairs = [Best { now: a, before: a }, Best { now: b, before: b }];

@@ -1,8 +1,8 @@
-//! Borrows of an `Option`'s content: position, order of evaluation, and copies.
+//! References to an `Option`'s content: the place that they refer to, order of evaluation, and copies.
 
 use bessemer::prelude::*;
 
-/// Counts its steps.
+/// Counts steps.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Counter {
@@ -14,40 +14,40 @@ pub struct Counter {
 
 #[data]
 impl Counter {
-    /// One more.
+    /// Increments the steps; returns their number.
     pub fn step(&mut self, by: u8) -> u8 {
         self.steps += by;
         self.steps
     }
 
-    /// A method of the author's own, named as one of `Option` is.
+    /// An author's method with the name of one of `Option`'s.
     pub fn insert(&mut self, by: u8) -> u8 {
         self.steps = by;
         100
     }
 
-    /// Another.
+    /// An author's method with the name of one of `Option`'s.
     pub fn get_or_insert(&self, by: u8) -> u8 {
         self.steps.wrapping_add(by)
     }
 
-    /// Another.
+    /// An author's method with the name of one of `Option`'s.
     pub fn as_mut(&mut self) -> Option<u8> {
         if self.steps > 3 { Some(self.steps) } else { None }
     }
 
-    /// Another.
+    /// An author's method with the name of one of `Option`'s.
     pub fn xor(&self, other: Counter) -> u8 {
         self.steps ^ other.steps
     }
 
-    /// Another.
+    /// An author's method with the name of one of `Option`'s.
     pub fn get_or_insert_with(&self, by: u8) -> u8 {
         by
     }
 }
 
-/// The author's own methods stay the author's.
+/// Calls of the author's methods are not taken for those of `Option`.
 #[function]
 pub fn own(counter: &mut Counter, by: u8) -> u8 {
     let a = counter.insert(by);
@@ -58,14 +58,14 @@ pub fn own(counter: &mut Counter, by: u8) -> u8 {
     a.wrapping_add(b).wrapping_add(c).wrapping_add(d).wrapping_add(e)
 }
 
-/// In a function that gives an `Option`, too.
+/// Such calls in a function that returns an `Option`.
 #[function]
 pub fn own_or_none(counter: &mut Counter) -> Option<u8> {
     let steps = counter.as_mut()?;
     Some(steps - 1)
 }
 
-/// A method of what is lent writes where it is.
+/// A method of the content changes it in place.
 #[function]
 pub fn methods(counter: &mut Option<Counter>, by: u8) -> u8 {
     let first = counter.get_or_insert(Counter { steps: 3, last: None }).step(by);
@@ -75,7 +75,7 @@ pub fn methods(counter: &mut Option<Counter>, by: u8) -> u8 {
     first.wrapping_add(second).wrapping_add(third).wrapping_add(fourth)
 }
 
-/// A named borrow, and the fault if there is no content.
+/// A named reference to the content, and a fault if there is none.
 #[function]
 pub fn named(counter: &mut Option<Counter>, by: u8) -> u8 {
     let lent = counter.as_mut().unwrap();
@@ -89,7 +89,7 @@ pub fn named(counter: &mut Option<Counter>, by: u8) -> u8 {
     lent.steps
 }
 
-/// Leaves with nothing where nothing is lent.
+/// Returns `None` if there is no content.
 #[function]
 pub fn or_none(counter: &mut Option<Counter>) -> Option<u8> {
     let lent = counter.as_mut()?;
@@ -97,7 +97,7 @@ pub fn or_none(counter: &mut Option<Counter>) -> Option<u8> {
     Some(lent.steps)
 }
 
-/// The value is computed whether it is wanted or not, and once; it may fault.
+/// The argument is evaluated once, whether or not it is needed, and may fault.
 #[function]
 pub fn eager(kept: &mut Option<u8>, counter: &mut Counter, by: u8) -> u8 {
     let value = *kept.get_or_insert(counter.step(by));
@@ -106,14 +106,14 @@ pub fn eager(kept: &mut Option<u8>, counter: &mut Counter, by: u8) -> u8 {
     value.wrapping_add(other)
 }
 
-/// A closure is asked only where there is nothing.
+/// The closure is called only if there is no content.
 #[function]
 pub fn lazy(kept: &mut Option<u8>, counter: &mut Counter, by: u8) -> u8 {
     let value = *kept.get_or_insert_with(|| counter.step(by));
     value.wrapping_add(counter.steps)
 }
 
-/// An element: its index is looked at first, then the value is computed.
+/// An element: first its index is checked, then the argument is evaluated.
 #[function]
 pub fn indexed(kept: &mut [Option<u8>; 3], at: usize, divisor: u8) -> u8 {
     let mut i = at;
@@ -130,7 +130,7 @@ pub fn indexed(kept: &mut [Option<u8>; 3], at: usize, divisor: u8) -> u8 {
     kept[i].get_or_insert(7).wrapping_add(at as u8)
 }
 
-/// Borrow from a list.
+/// References to optional elements of a list.
 #[function]
 pub fn listed(kept: &mut List<Option<u8>, 3>, at: usize) -> u8 {
     *kept[at].get_or_insert(5) += 1;
@@ -145,7 +145,7 @@ pub fn listed(kept: &mut List<Option<u8>, 3>, at: usize) -> u8 {
     }
 }
 
-/// In a chain of calls, and thrown away.
+/// Method calls in a row, whose result is discarded.
 #[function]
 pub fn thrown(kept: &mut Option<i32>, x: i32) -> i32 {
     let _ = kept.insert(x);
@@ -158,7 +158,7 @@ pub fn thrown(kept: &mut Option<i32>, x: i32) -> i32 {
     y.unwrap_or(0).wrapping_add(is as i32)
 }
 
-/// Both, one, none.
+/// `xor` of two options.
 #[function]
 pub fn either(a: Option<u8>, b: Option<u8>, counter: &mut Counter) -> Option<u8> {
     let one = a.xor(b);
@@ -166,7 +166,7 @@ pub fn either(a: Option<u8>, b: Option<u8>, counter: &mut Counter) -> Option<u8>
     one.xor(other).xor(None)
 }
 
-/// The default stays behind: of a number, a list, an array, a struct of the author's own.
+/// `mem::take` leaves the default: of a number, a list, an array, and an author's struct.
 #[function]
 pub fn taken(x: &mut u8, list: &mut List<u8, 3>, array: &mut [f64; 2], counter: &mut Counter) -> f64 {
     let a = core::mem::take(x);
@@ -179,7 +179,7 @@ pub fn taken(x: &mut u8, list: &mut List<u8, 3>, array: &mut [f64; 2], counter: 
     f64::from(a) + b.len() as f64 + c[0] + e + f64::from(d.steps)
 }
 
-/// Borrow of generic content.
+/// References to generic content.
 #[function]
 pub fn held<T: Real>(held: &mut Option<T>, x: T) -> T {
     *held.get_or_insert(x) += x;
@@ -192,7 +192,7 @@ pub fn held<T: Real>(held: &mut Option<T>, x: T) -> T {
     }
 }
 
-/// Calls of it.
+/// Calls the generic function with two types.
 #[function]
 pub fn both(a: &mut Option<f32>, b: &mut Option<f64>, x: f32) -> f64 {
     held(b, f64::from(x)) + f64::from(held(a, x))

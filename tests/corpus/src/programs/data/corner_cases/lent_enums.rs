@@ -1,19 +1,20 @@
-//! Enums in memory that is lent: what it holds before the call is not looked at, while what the caller passes is.
+//! Enums in memory that a function gets by reference: its content before the call is not checked for valid variants,
+//! while the caller's arguments are.
 
 use bessemer::prelude::*;
 
-/// Present duty.
+/// Duty of a day.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Duty {
-    /// Nothing.
+    /// Free.
     #[default]
     Rest,
-    /// Something.
+    /// On duty.
     Work,
 }
 
-/// A table, which is large enough for its copy to be lent, and an enum beside it.
+/// A table that is large enough to be passed by reference, and an enum next to it.
 #[component]
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Roster {
@@ -23,7 +24,7 @@ pub struct Roster {
 
 #[component]
 impl Roster {
-    /// Writes down an hour of a day; where there is no such day, nothing is as if it had been called.
+    /// Enters the duty at an hour of a day; if the day is out of range, nothing changes.
     #[entry(atomic)]
     pub fn note(&mut self, duty: Duty, day: u8, hour: u8) -> u64 {
         self.duty = duty;

@@ -1,8 +1,8 @@
-//! An `Option<&mut T>` that is lent on, again and again, to be written or to be read, and whose value is copied.
+//! An `Option<&mut T>` that is passed on several times, for writing and for reading, and whose content is copied.
 
 use bessemer::prelude::*;
 
-/// Counts, if there is something to count in.
+/// Increments the counter, if any.
 #[function]
 pub fn count(counter: Option<&mut u8>) -> bool {
     match counter {
@@ -14,13 +14,13 @@ pub fn count(counter: Option<&mut u8>) -> bool {
     }
 }
 
-/// Reads it.
+/// Reads the counter.
 #[function]
 pub fn read(counter: Option<&u8>) -> u8 {
     counter.cloned().unwrap_or(200)
 }
 
-/// Lent on in a loop, and given away behind it.
+/// Reborrowed in a loop, and moved afterwards.
 #[function]
 pub fn in_a_loop(mut counter: Option<&mut u8>, times: u8) -> u8 {
     let mut counted = 0;
@@ -38,7 +38,7 @@ pub fn in_a_loop(mut counter: Option<&mut u8>, times: u8) -> u8 {
     counted ^ counter.copied().unwrap_or_default()
 }
 
-/// Borrow of an element that a search found.
+/// A reference to an element that a search found.
 #[function]
 pub fn found(values: &mut [i16; 4], sought: i16) -> (Option<i16>, Option<i16>, bool) {
     let mut found = values.iter_mut().find(|it| **it == sought);
@@ -53,7 +53,7 @@ pub fn found(values: &mut [i16; 4], sought: i16) -> (Option<i16>, Option<i16>, b
     (written, found.cloned(), below)
 }
 
-/// Leaves early by what is lent on.
+/// Returns early if there is no element.
 #[function]
 pub fn tried(values: &mut [i16; 4], at: usize) -> Option<i16> {
     let mut found = values.get_mut(at);
@@ -62,7 +62,7 @@ pub fn tried(values: &mut [i16; 4], at: usize) -> Option<i16> {
     found.copied()
 }
 
-/// Elements in a row.
+/// Fills some elements.
 #[function]
 pub fn fill(part: Option<&mut [u8]>, with: u8) {
     if let Some(part) = part {
@@ -70,13 +70,13 @@ pub fn fill(part: Option<&mut [u8]>, with: u8) {
     }
 }
 
-/// The sum of them.
+/// The sum of some elements.
 #[function]
 pub fn sum(part: Option<&[u8]>) -> u32 {
     part.map_or(1, |part| part.iter().map(|x| u32::from(*x)).sum())
 }
 
-/// Lent on.
+/// Passes rows on.
 #[function]
 pub fn rows(values: &mut [u8; 6], from: usize) -> u32 {
     let mut part = values.get_mut(from..);

@@ -1,8 +1,8 @@
-//! Lists of numbers, structs and lists: pushed, popped, indexed, cut, gone through, compared, copied.
+//! Lists of numbers, structs and lists: pushed, popped, indexed, truncated, iterated over, compared, copied.
 
 use bessemer::prelude::*;
 
-/// A mark on a way.
+/// A mark on a route.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mark {

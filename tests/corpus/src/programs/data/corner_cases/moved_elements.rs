@@ -1,18 +1,18 @@
-//! Elements that move: by as many as there are, by none, by too many; of parts, of lists, of structs.
+//! Elements that are moved by all, none or too many places, in slices, lists and structs.
 
 use bessemer::prelude::*;
 
-/// Why a frame is not taken.
+/// Reason why a frame is rejected.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Trouble {
-    /// It has another length.
+    /// Its length is wrong.
     Length,
-    /// It holds something else.
+    /// Its content is wrong.
     Content,
 }
 
-/// Elements of the author's own.
+/// Elements of an author's type.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Own {
@@ -24,34 +24,34 @@ pub struct Own {
 
 #[data]
 impl Own {
-    /// Named as a method of slices is.
+    /// An author's method with the name of one of slices'.
     pub fn rotate_left(&mut self, by: u8) -> u8 {
         self.number = by;
         by
     }
 
-    /// Another.
+    /// An author's method with the name of one of slices'.
     pub fn copy_within(&mut self, from: u8, to: u8) {
         self.number = from ^ to;
     }
 
-    /// Another.
+    /// An author's method with the name of one of slices'.
     pub fn starts_with(&self, number: u8) -> bool {
         self.number == number
     }
 
-    /// Another.
+    /// An author's method with the name of a conversion.
     pub fn try_into(self) -> Result<u16, Trouble> {
         if self.number > 3 { Ok(u16::from(self.number)) } else { Err(Trouble::Content) }
     }
 
-    /// Another.
+    /// An author's method with the name of one of slices'.
     pub fn first_chunk(&self) -> Option<u8> {
         Some(self.number)
     }
 }
 
-/// The author's own stay the author's.
+/// Calls of the author's methods are not taken for those of slices.
 #[function]
 pub fn own(own: &mut Own, by: u8) -> Result<u16, Trouble> {
     let a = own.rotate_left(by);
@@ -62,7 +62,7 @@ pub fn own(own: &mut Own, by: u8) -> Result<u16, Trouble> {
     Ok(d + u16::from(c) + u16::from(b))
 }
 
-/// Round, both ways, by anything.
+/// Rotates in both directions by any number.
 #[function]
 pub fn round(a: &mut [u8; 5], b: &mut [Own; 3], by: usize) {
     a.rotate_left(by);
@@ -79,13 +79,13 @@ pub fn listed(list: &mut List<i16, 6>, by: usize) {
     }
 }
 
-/// Over one another, from any to any.
+/// Copies between overlapping ranges.
 #[function]
 pub fn over(a: &mut [i32; 6], from: usize, to: usize, place: usize) {
     a.copy_within(from..to, place);
 }
 
-/// Copies with an end, from the beginning, to the end, and of everything.
+/// Copies ranges with and without ends.
 #[function]
 pub fn over_ends(a: &mut [i32; 6], list: &mut List<u8, 5>, from: usize, to: usize) {
     a.copy_within(from..=to, 1);
@@ -105,7 +105,7 @@ pub fn effects(a: &mut [i32; 6], own: &mut Own) {
     a.rotate_left(usize::from(own.rotate_left(own.number - 1)));
 }
 
-/// Ends: of nothing, of all, of more than there are; NaN is no NaN.
+/// `starts_with` and `ends_with` for empty, equal and longer slices; a NaN equals no NaN.
 #[function]
 pub fn ends(a: &[f64; 3], list: &List<f64, 4>, n: usize) -> [bool; 6] {
     [
@@ -127,7 +127,7 @@ pub fn letters(text: &List<u8, 6>) -> u8 {
     if text.ends_with(b"\n") { 2 } else { 0 }
 }
 
-/// As an array, or not; the error becomes the author's.
+/// Conversion of a slice to an array; the error becomes the author's.
 #[function]
 pub fn whole(list: &List<u8, 6>, from: usize) -> Result<u32, Trouble> {
     let bytes: [u8; 4] = list[from..].try_into().map_err(|_| Trouble::Length)?;
@@ -137,7 +137,7 @@ pub fn whole(list: &List<u8, 6>, from: usize) -> Result<u32, Trouble> {
     Ok(u32::from_le_bytes(bytes))
 }
 
-/// The fault where it is no array; it is a copy.
+/// A fault if the conversion to an array fails; the array is a copy.
 #[function]
 pub fn unwrapped(a: &mut [i32; 6], from: usize, to: usize) -> i32 {
     let part: [i32; 2] = a[from..to].try_into().unwrap();
@@ -147,7 +147,7 @@ pub fn unwrapped(a: &mut [i32; 6], from: usize, to: usize) -> i32 {
     part[0].wrapping_sub(part[1]).wrapping_add(same[5])
 }
 
-/// Tests of elements that pass, and that do not.
+/// Tests of elements that hold, and that do not.
 #[function]
 pub fn tested(list: &List<Own, 4>, a: &[u16; 3]) -> f64 {
     let mut sum = 0.0;

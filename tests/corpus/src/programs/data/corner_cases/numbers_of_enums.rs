@@ -1,4 +1,4 @@
-//! Enums as numbers that are not their indices: a condition on the number says which variants are left.
+//! Enums whose numbers are not their indices: a condition on the number limits the possible variants.
 
 use bessemer::prelude::*;
 
@@ -54,7 +54,7 @@ pub fn less(kind: Kind) -> u8 {
     }
 }
 
-/// Trims that need no check.
+/// Trims that are indexed by a variant's number without a check.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trims {

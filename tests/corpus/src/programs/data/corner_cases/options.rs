@@ -1,4 +1,4 @@
-//! `Option` and `Result`: held, passed, returned, taken apart, compared, left by `?`.
+//! `Option` and `Result`: stored, passed, returned, destructured, compared, and used with `?`.
 
 use bessemer::prelude::*;
 

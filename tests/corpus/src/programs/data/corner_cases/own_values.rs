@@ -1,4 +1,4 @@
-//! Assignments of what is there already, which change nothing, and of which compilers warn.
+//! Assignments of a variable to itself, which change nothing and for which compilers warn.
 
 use bessemer::prelude::*;
 
@@ -17,7 +17,7 @@ pub fn of_numbers(mut n: u8, mut flag: bool, mut x: f64) -> (u8, bool, f64) {
     (n, flag, x)
 }
 
-/// These change something.
+/// Similar assignments that do change something.
 #[function]
 pub fn changed(mut n: i16, mut flag: bool) -> (i16, bool) {
     n ^= n;
@@ -36,14 +36,14 @@ pub fn of_parts(list: &mut [u32; 4], i: usize, j: usize) {
     list[0] |= list[0];
 }
 
-/// Nothing else reads them.
+/// Variables that nothing else reads.
 #[function]
 pub fn alone(mut n: u32, list: &mut [i8; 2]) {
     n |= n;
     list[1] &= list[1];
 }
 
-/// Set, and looked at nowhere.
+/// Variables that are set and never read.
 #[function]
 pub fn set(mut n: u32, mut flag: bool, mut x: f32) -> u8 {
     n = 3;
@@ -54,13 +54,14 @@ pub fn set(mut n: u32, mut flag: bool, mut x: f32) -> u8 {
     1
 }
 
-/// A comparison of a value with itself is not evaluated, so the C has no part of it.
+/// A comparison of a variable with itself is known, so it is not in the C.
 #[function]
 pub fn at_most_itself(x: i8) -> bool {
     (x as u32) <= (x as u32)
 }
 
-/// `^` of two `bool`s is `!=` in the C: of one with itself it is none, since compilers warn of that.
+/// `^` of two `bool`s is `!=` in the C; of a variable with itself it is `false`, since compilers warn for that
+/// comparison.
 #[function]
 pub fn cleared(mut flag: bool, flags: &mut [bool; 3], i: usize) -> (bool, bool, bool) {
     let other = flag ^ flag;
@@ -71,7 +72,7 @@ pub fn cleared(mut flag: bool, flags: &mut [bool; 3], i: usize) -> (bool, bool, 
     (flag, other, both)
 }
 
-/// Nothing else reads it.
+/// A variable that nothing else reads.
 #[function]
 pub fn cleared_alone(mut flag: bool) -> u8 {
     flag ^= flag;

@@ -1,4 +1,4 @@
-//! Values taken apart, and structs made from others.
+//! Destructured values, and structs constructed from others.
 
 use bessemer::prelude::*;
 
@@ -6,9 +6,9 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Gains {
-    /// Proportional.
+    /// Proportional gain.
     pub p: f64,
-    /// Integral.
+    /// Integral gain.
     pub i: f64,
     /// The last errors.
     pub past: [f64; 2],
@@ -19,37 +19,37 @@ impl Gains {
     /// Weight of the past.
     pub const SHARE: f64 = 0.25;
 
-    /// Gains without a past.
+    /// Gains with zero past errors.
     pub fn fresh(p: f64, i: f64) -> Self {
         Self { p, i, past: [Self::SHARE; 2] }
     }
 
-    /// Makes the past the present.
+    /// Shifts the past errors; returns the newest.
     pub fn advance(&mut self) -> f64 {
         self.past = [self.p, self.past[0]];
         self.p
     }
 }
 
-/// Hands out numbers.
+/// Returns consecutive numbers.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Counter {
-    /// The next one.
+    /// The next number.
     pub next: u8,
-    /// The last ones.
+    /// The last numbers.
     pub pair: Pair,
 }
 
-/// Two numbers.
+/// Three numbers.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pair {
-    /// The first.
+    /// First number.
     pub first: u8,
-    /// The second.
+    /// Second number.
     pub second: u8,
-    /// The third.
+    /// Third number.
     pub third: u8,
 }
 
@@ -61,7 +61,7 @@ impl Counter {
         self.next
     }
 
-    /// Fields are computed in the order in which they are written.
+    /// Fields are evaluated in the order in which they are written.
     #[entry]
     pub fn run(&mut self, zero: u8) -> u8 {
         let pair = Pair { third: self.take(), first: self.take(), second: zero };
@@ -71,7 +71,7 @@ impl Counter {
     }
 }
 
-/// Takes its gains apart.
+/// Destructures its gains.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parts {
@@ -81,7 +81,7 @@ pub struct Parts {
 
 #[component]
 impl Parts {
-    /// Swaps, takes apart, puts together.
+    /// Swaps, destructures and reconstructs the gains.
     #[entry]
     pub fn run(&mut self, a: f64, b: f64, n: u8) -> f64 {
         let (mut a, b) = (b, a);

@@ -1,4 +1,4 @@
-//! `min`, `max` and `clamp` of what has an order and is no number: plain enums, tuples, arrays.
+//! `min`, `max` and `clamp` of ordered types that are not numbers: plain enums, tuples, arrays.
 
 use bessemer::prelude::*;
 
@@ -12,7 +12,7 @@ pub enum Severity {
     Bad,
 }
 
-/// The worst so far, and the best since.
+/// The worst severity so far, and the best since.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Watch {
@@ -22,7 +22,7 @@ pub struct Watch {
 
 #[component]
 impl Watch {
-    /// Takes one in.
+    /// Takes a severity; returns the worst so far.
     #[entry]
     pub fn take(&mut self, now: Severity) -> Severity {
         self.worst = self.worst.max(now);
@@ -31,14 +31,14 @@ impl Watch {
         self.worst
     }
 
-    /// The nearest between the two; a fault if they are crossed.
+    /// Limits a severity to the range between the two; a fault if they are in the wrong order.
     #[entry]
     pub fn limited(&mut self, now: Severity) -> Severity {
         now.clamp(self.best, self.worst)
     }
 }
 
-/// By the first, then by the second.
+/// The lesser pair: by the first part, then by the second.
 #[function]
 pub fn first_of(one: (u8, i32), other: (u8, i32)) -> (u8, i32) {
     one.min(other)
@@ -50,13 +50,13 @@ pub fn later(one: &[u16; 3], other: [u16; 3]) -> [u16; 3] {
     (*one).max(other)
 }
 
-/// Floats are found behind references, as they have no `Ord`; integers are not.
+/// `min` of references: for floats it is a method of the number, for integers of `Ord`.
 #[function]
 pub fn of_numbers(x: &i32, y: &f64) -> (i32, f64) {
     ((*x).max(3).clamp(-5, 7), y.min(2.0))
 }
 
-/// Extremes of references, as `Ord` is implemented for them: the least, the greatest, the nearest, and their sum.
+/// Minimum, maximum and clamp of references, as `Ord` is implemented for them, and the sum.
 #[function]
 pub fn of_references(levels: &[i32; 5], low: i32, high: i32) -> (i32, i32, i32, i64) {
     let most = *levels.iter().fold(&levels[0], |most, level| most.max(level));
@@ -68,7 +68,7 @@ pub fn of_references(levels: &[i32; 5], low: i32, high: i32) -> (i32, i32, i32, 
     (*least, most, levels[2].clamp(low, high).max(low).min(levels[4]), sum)
 }
 
-/// Extremes of references to types that are no numbers.
+/// Minimum, maximum and clamp of references to types that are not numbers.
 #[function]
 pub fn worse(seen: &Severity, others: &[Severity; 3], pair: &(u8, i32)) -> (Severity, (u8, i32), Severity) {
     let worst = *others.iter().fold(seen, |worst, other| worst.max(other));
@@ -76,7 +76,7 @@ pub fn worse(seen: &Severity, others: &[Severity; 3], pair: &(u8, i32)) -> (Seve
     (worst, *pair.clamp(&(1, -3), &(200, 4)), first)
 }
 
-/// A copied extreme does not change with later writes.
+/// A copied maximum does not change with later writes.
 #[function]
 pub fn kept(values: &mut [u16; 3]) -> u16 {
     let most = values[0].max(values[1]).max(values[2]);

@@ -1,8 +1,8 @@
-//! Values that are read although nothing comes of it: a number that stays as it is, a default that is compared with itself.
+//! Reads without effect: a number that stays as it is, a default that is compared with itself.
 
 use bessemer::prelude::*;
 
-/// A number that goes to a signed type and back, each time.
+/// A number that is converted to a signed type and back in each iteration.
 #[function]
 pub fn stays(values: [u32; 3]) -> u32 {
     values.iter().skip(2).take(0).fold(8_u32, |sum, _| ((sum as i32) as u32))
@@ -19,14 +19,14 @@ pub fn comes_back(values: [u32; 3], t: &mut u32) -> u32 {
     kept
 }
 
-/// Parts of a default.
+/// A struct with a default.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Own {
     pub low: u8,
 }
 
-/// A default that is read in a closure only, in which the comparison is known.
+/// A default that is read only in a closure in which the comparison is known.
 #[function]
 #[allow(clippy::eq_op)]
 pub fn compared(x: u8) -> bool {
@@ -35,7 +35,7 @@ pub fn compared(x: u8) -> bool {
     checked.is_ok_and(|_| own != own)
 }
 
-/// A default that is only declared.
+/// A default that is never read.
 #[function]
 pub fn declared(x: f64) -> f64 {
     let _own: Own = Own::default();

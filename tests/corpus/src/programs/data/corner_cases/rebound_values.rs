@@ -1,4 +1,4 @@
-//! A reference keeps its place, whatever the variable through which it was taken refers to later.
+//! A reference keeps referring to its place when the variable through which it was taken is reassigned.
 
 #![allow(missing_docs)]
 

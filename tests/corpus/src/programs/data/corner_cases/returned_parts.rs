@@ -1,26 +1,26 @@
-//! Parts that calls fill and a `return` moves into its struct: in one branch or several, read before, used twice.
+//! Calls whose result is moved into a struct by `return`: in one branch or several, read before, used twice.
 
 use bessemer::prelude::*;
 
-/// Not one that stands where it is used.
+/// A function that is not inlined.
 #[function]
 pub fn squared(a: &Matrix3<f64>) -> Matrix3<f64> {
     a * a
 }
 
-/// A pair.
+/// Two matrices and an element.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Both {
-    /// One.
+    /// First matrix.
     pub first: Matrix3<f64>,
-    /// Another.
+    /// Second matrix.
     pub second: Matrix3<f64>,
-    /// An element.
+    /// An element of a matrix.
     pub corner: f64,
 }
 
-/// Its words are read, then one branch returns it.
+/// The result is read, and then one branch returns it.
 #[function]
 pub fn read_before(a: &Matrix3<f64>) -> Option<Matrix3<f64>> {
     let square = squared(a);
@@ -28,7 +28,7 @@ pub fn read_before(a: &Matrix3<f64>) -> Option<Matrix3<f64>> {
     if trace > 0.0 { Some(square) } else { None }
 }
 
-/// Two that would be the same part.
+/// Two results that would have the same place in the struct.
 #[function]
 pub fn one_of_two(a: &Matrix3<f64>, b: &Matrix3<f64>) -> Option<Matrix3<f64>> {
     let left = squared(a);
@@ -39,7 +39,7 @@ pub fn one_of_two(a: &Matrix3<f64>, b: &Matrix3<f64>) -> Option<Matrix3<f64>> {
     if right[(0, 1)] > 0.0 { Some(right) } else { None }
 }
 
-/// Parts that change places, and an element of one beside them.
+/// Two results with exchanged places, and an element of one.
 #[function]
 pub fn crossed(a: &Matrix3<f64>, b: &Matrix3<f64>) -> Both {
     let first = squared(a);
@@ -50,7 +50,7 @@ pub fn crossed(a: &Matrix3<f64>, b: &Matrix3<f64>) -> Both {
     Both { first, second, corner: second[(1, 0)] }
 }
 
-/// Two such parts, and the other branch's computation from them.
+/// Two results, and a computation from them in the other branch.
 #[function]
 pub fn twice(a: &Matrix3<f64>) -> Both {
     let square = squared(a);
@@ -60,7 +60,7 @@ pub fn twice(a: &Matrix3<f64>) -> Both {
     Both { first: *a, second: square + a, corner: 2.0 }
 }
 
-/// Part of a part, read within a loop.
+/// A field of a field, read in a loop.
 #[function]
 pub fn nested(a: &Matrix3<f64>, b: &Matrix3<f64>) -> Option<Both> {
     let first = squared(a);
@@ -72,7 +72,7 @@ pub fn nested(a: &Matrix3<f64>, b: &Matrix3<f64>) -> Option<Both> {
     if corner > 0.0 { Some(Both { first, second, corner }) } else { None }
 }
 
-/// Changed after the call.
+/// The result is changed after the call.
 #[function]
 pub fn changed(a: &Matrix3<f64>) -> Option<Matrix3<f64>> {
     let mut square = squared(a);
@@ -80,7 +80,7 @@ pub fn changed(a: &Matrix3<f64>) -> Option<Matrix3<f64>> {
     if square[(0, 0)] > 0.0 { Some(square) } else { None }
 }
 
-/// An error that holds one, too.
+/// An error that contains a result, too.
 #[function]
 pub fn either(a: &Matrix3<f64>) -> Result<Matrix3<f64>, Vector3<f64>> {
     let square = squared(a);

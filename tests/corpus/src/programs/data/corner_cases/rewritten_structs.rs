@@ -1,14 +1,15 @@
-//! Structs that begin as something and are written over, in whole and in part: what nobody sees need not be there, the rest has to.
+//! Structs that are initialised and then overwritten, wholly or partly: unread initial values may be removed, the
+//! others must stay.
 
 use bessemer::prelude::*;
 
-/// Something with parts.
+/// A struct with fields of several types.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parts {
-    /// Numbers.
+    /// Numbers in an array.
     pub numbers: [f64; 4],
-    /// As many others.
+    /// Numbers in a vector.
     pub others: Vector4<f64>,
     /// A count.
     pub count: u32,
@@ -16,13 +17,13 @@ pub struct Parts {
 
 #[data]
 impl Parts {
-    /// No part is zero.
+    /// A struct without a zero field.
     pub fn some() -> Parts {
         Parts { numbers: [1.5; 4], others: Vector4::repeat(2.5), count: 7 }
     }
 }
 
-/// Each part is written before it is read.
+/// Each field is overwritten before it is read.
 #[function]
 pub fn rewritten_whole(a: f64, count: u32) -> Parts {
     let mut parts = Parts::some();
@@ -34,7 +35,7 @@ pub fn rewritten_whole(a: f64, count: u32) -> Parts {
     parts
 }
 
-/// One element is left.
+/// One element keeps its initial value.
 #[function]
 pub fn rewritten_but_for_one(a: f64, count: u32) -> Parts {
     let mut parts = Parts::some();
@@ -48,7 +49,7 @@ pub fn rewritten_but_for_one(a: f64, count: u32) -> Parts {
     parts
 }
 
-/// A part is read before.
+/// A field is read before it is overwritten.
 #[function]
 pub fn rewritten_and_read(a: f64, count: u32) -> Parts {
     let mut parts = Parts::some();
@@ -62,7 +63,7 @@ pub fn rewritten_and_read(a: f64, count: u32) -> Parts {
     parts
 }
 
-/// A return comes before the last part.
+/// A `return` comes before the last field is overwritten.
 #[function]
 pub fn rewritten_too_late(a: f64, count: u32) -> Parts {
     let mut parts = Parts::some();
@@ -75,7 +76,7 @@ pub fn rewritten_too_late(a: f64, count: u32) -> Parts {
     parts
 }
 
-/// A field that is not written in each pass.
+/// A field that is not overwritten in each iteration.
 #[function]
 pub fn rewritten_at_times(a: f64, count: u32) -> Parts {
     let mut parts = Parts::some();

@@ -1,5 +1,5 @@
-//! Patterns longer or shorter than a slice with literal bounds: rustc knows the length of an array, and not that of a
-//! slice.
+//! Patterns that are longer or shorter than a slice with constant bounds; rustc knows the length of an array, but not
+//! of a slice.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Slices of everything, by every way to name them.
+//! Slices of arrays, lists and slices, with every form of range.
 
 use bessemer::prelude::*;
 
@@ -54,7 +54,7 @@ pub fn cleared(log: &mut Log, from: usize) {
     log.clear(from);
 }
 
-/// A slice of a slice, indexed.
+/// An element of a slice of a slice.
 #[function]
 pub fn inner(values: &[i32], from: usize, to: usize, at: usize) -> i32 {
     let part = &values[from..=to];
@@ -119,7 +119,7 @@ pub fn sample_at(log: &Log, at: usize) -> f32 {
     sample.value
 }
 
-/// Rows of a table: the elements are arrays.
+/// Slices whose elements are arrays: rows of a table.
 #[function]
 pub fn total(rows: &[[f64; 3]], most: usize) -> f64 {
     let mut sum = 0.0;
@@ -158,7 +158,7 @@ pub fn scaled(values: &[f64], factor: f64) -> f64 {
     values.iter().map(|value| value * factor).fold(0.0, |sum, value| sum + value)
 }
 
-/// Side by side, as far as the shortest, with its index.
+/// A zip of slices with their index, as far as the shortest goes.
 #[function]
 pub fn together(a: &[i64; 6], b: &List<i64, 4>, from: usize) -> i64 {
     let mut sum: i64 = 0;

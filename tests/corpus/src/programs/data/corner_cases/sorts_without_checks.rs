@@ -1,8 +1,8 @@
-//! Sorting and looking for an order leave no check, so that an entry point that does may claim that it has no fault.
+//! Sorting and `is_sorted` need no checks, so entry points that use them may be declared free of faults.
 
 use bessemer::prelude::*;
 
-/// The middle of the last five readings.
+/// The median of the last five readings.
 #[component]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MiddleOfFive {
@@ -11,7 +11,7 @@ pub struct MiddleOfFive {
 
 #[component]
 impl MiddleOfFive {
-    /// Takes a reading, and gives the middle one.
+    /// Takes a reading and returns the median.
     #[entry(infallible)]
     pub fn step(&mut self, reading: f64) -> f64 {
         for at in 0..4 {
@@ -23,7 +23,7 @@ impl MiddleOfFive {
         sorted[2]
     }
 
-    /// The rank among integers.
+    /// The rank of the median among integers.
     #[entry(infallible)]
     pub fn rank(&self, ranks: &[u16; 6]) -> u16 {
         let mut sorted = *ranks;
@@ -31,7 +31,7 @@ impl MiddleOfFive {
         sorted[3]
     }
 
-    /// Test that ranks are in order, and the sum of their differences.
+    /// Returns whether the ranks are sorted, and the sum of their differences.
     #[entry(infallible)]
     pub fn rises(&self, ranks: &[u16; 6], used: u8) -> (bool, u32) {
         let used = &ranks[..usize::from(used % 7)];
@@ -39,7 +39,7 @@ impl MiddleOfFive {
     }
 }
 
-/// The sum of the steps upwards: the index before one that a loop counts is below the length, too.
+/// The sum of the upward steps; the index minus one needs no check either.
 #[function]
 fn climbed(ranks: &[u16]) -> u32 {
     let mut sum: u32 = 0;

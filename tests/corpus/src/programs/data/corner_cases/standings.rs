@@ -1,16 +1,16 @@
-//! Orders: of every kind of number, kept in structs and arrays, with effects and faults on the way.
+//! `Ordering`: of every kind of number, stored in structs and arrays, with side effects and faults.
 
 use core::cmp::Ordering;
 
 use bessemer::prelude::*;
 
-/// Keeps an order.
+/// Stores orderings.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kept {
-    /// The one that was told last.
+    /// The last ordering.
     pub last: Option<Ordering>,
-    /// All of them.
+    /// Two orderings.
     pub all: [Ordering; 2],
     /// Number of elements.
     pub count: u8,
@@ -18,34 +18,34 @@ pub struct Kept {
 
 #[data]
 impl Kept {
-    /// A method of the author's own, named as one of numbers is.
+    /// An author's method with the name of one of numbers'.
     pub fn cmp(&self, other: &Kept) -> u8 {
         self.count.wrapping_add(other.count)
     }
 
-    /// Another.
+    /// An author's method with the name of one of numbers'.
     pub fn partial_cmp(&self, other: u8) -> u8 {
         self.count.wrapping_mul(other)
     }
 
-    /// Another.
+    /// An author's method with the name of one of `Ordering`'s.
     pub fn reverse(&mut self) -> u8 {
         self.count += 1;
         self.count
     }
 
-    /// Another.
+    /// An author's method with the name of one of `Ordering`'s.
     pub fn then(&self, other: u8) -> u8 {
         other
     }
 
-    /// Another.
+    /// An author's method with the name of one of `Ordering`'s.
     pub fn is_lt(&self) -> bool {
         self.count < 3
     }
 }
 
-/// The author's own stay the author's.
+/// Calls of the author's methods are not taken for those of numbers.
 #[function]
 pub fn own(kept: &mut Kept) -> u8 {
     let other = *kept;
@@ -62,19 +62,19 @@ pub fn kinds(a: u8, b: u8, c: i64, d: i64, e: usize, f: bool, g: bool) -> [Order
     [a.cmp(&b), c.cmp(&d), e.cmp(&3), f.cmp(&g)]
 }
 
-/// Order of floats, which may have none.
+/// Ordering of floats, which may be `None`.
 #[function]
 pub fn floats(x: f64, y: f64, z: f32) -> (Option<Ordering>, Option<Ordering>, Ordering) {
     (x.partial_cmp(&y), z.partial_cmp(&0.5), x.total_cmp(&y))
 }
 
-/// Order of integers, which always have one.
+/// Ordering of integers by `partial_cmp`, which is never `None`.
 #[function]
 pub fn partial(x: i8, y: i8) -> bool {
     x.partial_cmp(&y) == Some(Ordering::Less) || x.partial_cmp(&y).unwrap() == Ordering::Equal
 }
 
-/// In a struct, and compared with one.
+/// Stores an ordering in a struct, and compares it.
 #[function]
 pub fn kept(kept: &mut Kept, x: u16, y: u16) -> bool {
     let order = x.cmp(&y);
@@ -84,7 +84,7 @@ pub fn kept(kept: &mut Kept, x: u16, y: u16) -> bool {
     kept.all[0] != kept.all[1] || same
 }
 
-/// Queries on an order.
+/// Methods of an `Ordering`.
 #[function]
 pub fn asked(x: i32, y: i32) -> u8 {
     let order = x.cmp(&y);
@@ -100,13 +100,13 @@ pub fn asked(x: i32, y: i32) -> u8 {
     bits
 }
 
-/// Its number.
+/// The number of an ordering.
 #[function]
 pub fn number(x: i32, y: i32) -> i8 {
     x.cmp(&y) as i8
 }
 
-/// Both sides once, the left one first; `then` computes its argument, `then_with` only if it must.
+/// Both operands are evaluated once, the left one first; `then` evaluates its argument, `then_with` only if needed.
 #[function]
 pub fn effects(kept: &mut Kept, x: u8, divisor: u8) -> Ordering {
     let one = kept.reverse().cmp(&(x / divisor));
@@ -114,7 +114,7 @@ pub fn effects(kept: &mut Kept, x: u8, divisor: u8) -> Ordering {
     other.then_with(|| x.cmp(&(100 / divisor)))
 }
 
-/// A match with several in an arm, a guard, and what is imported alone.
+/// A `match` with several orderings in an arm, a guard, and imported variants.
 #[function]
 pub fn matched(x: f32, y: f32) -> u8 {
     use core::cmp::Ordering::{Equal, Greater, Less};
@@ -126,7 +126,7 @@ pub fn matched(x: f32, y: f32) -> u8 {
     }
 }
 
-/// The greater of two, by a function that is handed on.
+/// The greater of two numbers, by a function that is passed on.
 #[function]
 pub fn by<F: Fn(i32, i32) -> Ordering>(x: i32, y: i32, order: F) -> i32 {
     match order(x, y) {
@@ -135,7 +135,7 @@ pub fn by<F: Fn(i32, i32) -> Ordering>(x: i32, y: i32, order: F) -> i32 {
     }
 }
 
-/// Calls of it.
+/// Calls it with different functions.
 #[function]
 pub fn handed(x: i32, y: i32, z: i32) -> i32 {
     by(x, y, |a, b| a.cmp(&b)).wrapping_add(by(x, y, |a, b| b.cmp(&a).then(z.cmp(&a))))
@@ -151,13 +151,13 @@ pub fn between<T: Real>(x: T, low: T, high: T) -> Ordering {
     }
 }
 
-/// Calls of it.
+/// Calls it with two types.
 #[function]
 pub fn generics(x: f32, y: f64) -> Ordering {
     between(x, 0.0, 1.0).then(between(y, -1.0, 1.0))
 }
 
-/// Sorted the other way round, and by parts.
+/// Sorted in descending order, and by a part.
 #[function]
 pub fn sorted(values: &[i32; 5], limit: i32) -> [i32; 5] {
     let mut values = *values;
@@ -169,7 +169,7 @@ pub fn sorted(values: &[i32; 5], limit: i32) -> [i32; 5] {
     values
 }
 
-/// The best by an order that may not be there.
+/// The maximum by a partial order.
 #[function]
 pub fn best(values: &[f64; 4]) -> Option<f64> {
     let most = values.iter().copied().max_by(|a, b| a.partial_cmp(b).unwrap());

@@ -1,4 +1,4 @@
-//! Texts that grow and shrink, in structs, compared.
+//! Texts that grow and shrink, in structs, and compared.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,5 @@
-//! `lent?` as a place: a field, an element or an option of what `get_mut`, `as_mut` and their like lend, written and read.
+//! `reference?` as a place: a field, an element or an option that `get_mut`, `as_mut` and similar methods return,
+//! written and read.
 
 use bessemer::prelude::*;
 

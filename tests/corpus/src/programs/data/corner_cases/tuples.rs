@@ -1,4 +1,4 @@
-//! Tuples, tuple structs and newtypes: held, passed, returned, taken apart, compared.
+//! Tuples, tuple structs and newtypes: stored, passed, returned, destructured, compared.
 
 use bessemer::prelude::*;
 
@@ -7,7 +7,7 @@ use bessemer::prelude::*;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Metres(pub f64);
 
-/// A point and how sure of it one is.
+/// A point and the certainty of its measurement.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Fix(pub Vector3<f64>, pub u8);

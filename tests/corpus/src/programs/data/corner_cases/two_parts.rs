@@ -1,8 +1,8 @@
-//! Two parts of slices in one call: where the first begins is settled before the second is looked at.
+//! Two slices as arguments of one call: the bounds of the first are evaluated before those of the second.
 
 use bessemer::prelude::*;
 
-/// The sum of products, as far as both go.
+/// The sum of products, as far as the shorter slice goes.
 #[function]
 fn products(x: &[f64], y: &[f64]) -> f64 {
     let mut sum = 0.0;
@@ -17,7 +17,7 @@ pub fn of_run_time_bounds(x: &[f64; 8], y: &[f64; 8], start: usize, end: usize) 
     products(&x[start..], &y[..end])
 }
 
-/// The start of the first is the one before the second changed it.
+/// The start of the first slice is read before the second argument changes it.
 #[function]
 pub fn of_a_start_that_moves(x: &[f64; 8], y: &[f64; 8], mut start: usize) -> f64 {
     products(
@@ -29,7 +29,7 @@ pub fn of_a_start_that_moves(x: &[f64; 8], y: &[f64; 8], mut start: usize) -> f6
     )
 }
 
-/// Scales by the place of the part.
+/// Scales elements by the slice's position.
 #[function]
 fn scaled(x: &mut [f64], y: &[f64], by: usize) {
     for (a, b) in x.iter_mut().zip(y) {
@@ -45,7 +45,7 @@ pub fn of_a_part_that_is_written(x: &mut [f64; 8], y: &[f64; 8], mut start: usiz
     });
 }
 
-/// Leaves a loop by a value of its own in an arm.
+/// An arm of a `match` leaves a loop with a value.
 #[function]
 pub fn left_from_an_arm(x: &[i32; 8], wanted: i32) -> usize {
     let mut i = 0;

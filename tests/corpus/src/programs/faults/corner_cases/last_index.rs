@@ -1,4 +1,4 @@
-//! The largest index there is: a view's end overflows before it is held against the size; an index does not.
+//! The largest possible index: the end of a view overflows before it is compared with the size; an index does not.
 
 use bessemer::prelude::*;
 

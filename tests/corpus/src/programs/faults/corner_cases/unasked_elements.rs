@@ -1,12 +1,12 @@
-//! An element that is not there is a fault, whether anything is asked of it or not: its length, or none of its parts.
+//! An element out of range is a fault, even if nothing of it is used, or only its length.
 
 use bessemer::prelude::*;
 
-/// The author's tables.
+/// Tables of an author's types.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tables {
-    /// In a row.
+    /// Rows of numbers.
     pub rows: [[i16; 3]; 2],
 }
 
@@ -49,13 +49,13 @@ pub fn paired(tables: &Tables, i: usize, count: usize) -> usize {
     tables.rows[0][..count % 4].iter().zip(tables.rows[i].iter()).count()
 }
 
-/// A type that its author never copies.
+/// A type that is not `Copy`.
 #[data]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Held {
-    /// A part.
+    /// First number.
     pub first: i16,
-    /// The other.
+    /// Second number.
     pub second: i16,
 }
 

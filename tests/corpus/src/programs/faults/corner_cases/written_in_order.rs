@@ -1,4 +1,4 @@
-//! A view that is not there is told before what is written into it is computed.
+//! The position of a view is checked before the value that is written to it is evaluated.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Results written over what they are computed from.
+//! Results that are assigned to one of their arguments.
 
 use bessemer::prelude::*;
 

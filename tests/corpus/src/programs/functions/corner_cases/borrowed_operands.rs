@@ -1,10 +1,10 @@
-//! Operators and conversions for references, beside those for values or alone.
+//! Operators and conversions implemented for references, with or without those for values.
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 use bessemer::prelude::*;
 
-/// Words modulo 2³², as many as there are.
+/// An array of words with arithmetic modulo 2³².
 #[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Words<const N: usize> {
@@ -13,7 +13,7 @@ pub struct Words<const N: usize> {
 
 #[data]
 impl<const N: usize> Words<N> {
-    /// Does something to each word and another.
+    /// Applies a function to each pair of words.
     fn with(&self, other: &Words<N>, f: impl Fn(u32, u32) -> u32) -> Words<N> {
         let mut of = self.of;
         for (word, other) in of.iter_mut().zip(&other.of) {
@@ -95,7 +95,7 @@ impl<const N: usize> Neg for &Words<N> {
     }
 }
 
-/// Each pair of values and references.
+/// Each combination of values and references.
 #[function]
 pub fn pairs(a: [u32; 3], b: [u32; 3]) -> [u32; 3] {
     let (a, b) = (Words { of: a }, Words { of: b });
@@ -106,7 +106,7 @@ pub fn pairs(a: [u32; 3], b: [u32; 3]) -> [u32; 3] {
     (turned + sum).of
 }
 
-/// A frame's parts, where it is one.
+/// The parts of a frame.
 #[data]
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
@@ -114,13 +114,13 @@ pub struct Frame<'a> {
     data: &'a [u8],
 }
 
-/// Why it is none.
+/// Reason why a frame is malformed.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Malformed {
-    /// Nothing is there.
+    /// The frame is empty.
     Empty,
-    /// The unit is none.
+    /// The unit number is invalid.
     Nobody,
 }
 
@@ -165,7 +165,7 @@ impl From<&[u16; 2]> for Digest {
     }
 }
 
-/// Converted by name and by their use.
+/// Conversions by a named function and by `into`.
 #[function]
 pub fn digests(words: [u32; 4], bytes: &[u8; 6], cut: usize) -> Result<[u32; 4], Malformed> {
     let words = Words { of: words };

@@ -1,8 +1,8 @@
-//! Names of capitals that would meet in the C.
+//! Names of constants and variants that would collide in the C.
 
 use bessemer::prelude::*;
 
-/// Its `D` is `A_D` in the C.
+/// An enum whose variant `D` is `A_D` in the C.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum A {
@@ -26,7 +26,7 @@ pub fn number(a: A) -> i32 {
     }
 }
 
-/// A constant in one function, and a parameter of another.
+/// A constant in one function and a parameter of another.
 #[function]
 pub fn half(x: f64) -> f64 {
     x * factors::X

@@ -1,5 +1,5 @@
-//! A pair that is assigned another and read afterwards, in a function with references to both. gcc 12 mistakes the
-//! write for a read in its analysis of side effects, and the caller reads the old pair.
+//! A pair that is assigned and then read, in a function with references to both pairs. gcc 12 mistakes the write for
+//! a read in its analysis of side effects, and the caller reads the old pair.
 
 use bessemer::prelude::*;
 

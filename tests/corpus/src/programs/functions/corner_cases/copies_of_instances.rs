@@ -1,12 +1,13 @@
-//! Copies of a function for closures, in each instance of what hands these over: no instance names another's.
+//! Copies of a function for closures, in each instance of the generic function that passes them: no instance uses
+//! another's copy.
 
 use bessemer::prelude::*;
 
-/// The last values, and the middle of them.
+/// The last values, and their median.
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Middle<const N: usize> {
-    /// The last first.
+    /// The last values, the newest first.
     pub last: [f32; N],
 }
 
@@ -18,7 +19,7 @@ impl<const N: usize> Default for Middle<N> {
 
 #[component]
 impl<const N: usize> Middle<N> {
-    /// One value more.
+    /// Adds a value; returns the median.
     #[entry]
     pub fn step(&mut self, value: f32) -> f32 {
         self.last.rotate_right(1);
@@ -29,7 +30,7 @@ impl<const N: usize> Middle<N> {
     }
 }
 
-/// The middle of some numbers, which no type owns.
+/// The median of some numbers, in a free function.
 #[function]
 fn middle<const N: usize>(values: &[f32; N]) -> f32 {
     let mut sorted = *values;
@@ -37,7 +38,7 @@ fn middle<const N: usize>(values: &[f32; N]) -> f32 {
     sorted[N / 2]
 }
 
-/// Holds an instance of each, and asks for more.
+/// Contains an instance of each size.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Middles {
@@ -47,7 +48,7 @@ pub struct Middles {
 
 #[component]
 impl Middles {
-    /// One value more for each.
+    /// Adds a value to each; returns their medians.
     #[entry]
     pub fn step(&mut self, value: f32) -> [f32; 4] {
         let three = self.three.step(value);

@@ -1,4 +1,4 @@
-//! Generic items over types and sizes, in several instances.
+//! Items that are generic over types and sizes, in several instances.
 
 use bessemer::prelude::*;
 
@@ -16,7 +16,7 @@ pub struct Coefficients<T> {
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Biquad<T> {
-    /// Its action.
+    /// Coefficients of the filter.
     pub coefficients: Coefficients<T>,
     /// Past inputs and outputs.
     pub x: [T; 2],
@@ -25,7 +25,7 @@ pub struct Biquad<T> {
 
 #[data]
 impl<T: Real> Coefficients<T> {
-    /// A low-pass filter of the cutoff `ratio`, a share of the rate of samples.
+    /// A low-pass filter whose cutoff is `ratio` times the sample rate.
     pub fn low_pass(ratio: T, quality: T) -> Self {
         let angle = T::TAU * ratio;
         let alpha = angle.sin() / (real::<T>(2.0) * quality);
@@ -58,7 +58,7 @@ impl<T: Real> Biquad<T> {
     }
 }
 
-/// In single precision.
+/// The filter in single precision.
 #[component]
 pub type BiquadF32 = Biquad<f32>;
 
@@ -115,7 +115,7 @@ impl<T: Copy + Default, const N: usize> Delay<T, N> {
 #[component]
 pub type Delays = Delay<i16, 3>;
 
-/// Instances inside, with and without names.
+/// Contains instances, with and without type aliases.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bank {

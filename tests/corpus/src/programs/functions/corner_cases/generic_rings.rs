@@ -1,10 +1,10 @@
-//! Generic types with an index, an `==`, an `iter` and iterators of their own, each instance of which is called by no name.
+//! Generic types with their own index, `==`, `iter` and iterators; the instances have no names.
 
 use core::ops::{Index, IndexMut};
 
 use bessemer::prelude::*;
 
-/// The last few values.
+/// A ring buffer of the last values.
 #[data]
 #[derive(Clone, Debug)]
 pub struct Ring<T, const N: usize> {
@@ -15,19 +15,19 @@ pub struct Ring<T, const N: usize> {
 
 #[data]
 impl<T: Copy + Default, const N: usize> Ring<T, N> {
-    /// Without any.
+    /// An empty ring.
     pub fn new() -> Self {
         Ring { items: [T::default(); N], head: 0, len: 0 }
     }
 
-    /// One more, in the place of the oldest.
+    /// Adds a value, which replaces the oldest if the ring is full.
     pub fn push(&mut self, item: T) {
         self.items[self.head] = item;
         self.head = (self.head + 1) % N;
         self.len = (self.len + 1).min(N);
     }
 
-    /// From the oldest on.
+    /// Iterates from the oldest value on.
     pub fn iter(&self) -> impl Iterator<Item = T> + '_ {
         let start = self.head + N - self.len;
         (0..self.len).map(move |i| self.items[(start + i) % N])
@@ -38,7 +38,7 @@ impl<T: Copy + Default, const N: usize> Ring<T, N> {
         Values { ring: self, at: 0 }
     }
 
-    /// Returns true if another has the same values.
+    /// Returns true if another ring has the same values.
     pub fn is_same(&self, other: &Self) -> bool
     where
         T: PartialEq,
@@ -69,7 +69,7 @@ impl<T: Copy + Default, const N: usize> IndexMut<usize> for Ring<T, N> {
     }
 }
 
-/// Goes through a ring.
+/// Iterator over the values of a ring.
 #[data]
 #[derive(Clone, Debug)]
 pub struct Values<'a, T, const N: usize> {
@@ -91,7 +91,7 @@ impl<T: Copy + Default, const N: usize> Iterator for Values<'_, T, N> {
     }
 }
 
-/// Counts down, by steps of any size.
+/// Counts down by steps of any size.
 #[data]
 #[derive(Clone, Debug)]
 pub struct Down<T> {
@@ -110,7 +110,7 @@ impl<T: Copy + Into<u8>> Iterator for Down<T> {
     }
 }
 
-/// The middle one.
+/// The median of some values.
 #[function]
 fn median<const N: usize>(values: impl Iterator<Item = i16>) -> Option<i16> {
     let mut sorted = [0_i16; N];
@@ -124,7 +124,7 @@ fn median<const N: usize>(values: impl Iterator<Item = i16>) -> Option<i16> {
     sorted.get(count / 2).copied()
 }
 
-/// Read and written by index, and compared.
+/// Rings read and written by index, and compared.
 #[function]
 pub fn indexed(values: [i16; 7], k: usize) -> (i16, i32, bool, bool) {
     let mut ring = Ring::<i16, 4>::new();
@@ -143,7 +143,7 @@ pub fn indexed(values: [i16; 7], k: usize) -> (i16, i32, bool, bool) {
     (ring[2], sum, equal, ring.is_same(&other))
 }
 
-/// Gone through by its own `iter`, in loops, chains, beside others and by functions.
+/// Rings iterated over by their own `iter`, in loops, chains, zips and functions.
 #[function]
 pub fn gone_through(values: [i16; 6], count: usize) -> (i32, Option<i16>, Option<i16>, i32, usize) {
     let mut ring = Ring::<i16, 5>::new();
@@ -163,7 +163,7 @@ pub fn gone_through(values: [i16; 6], count: usize) -> (i32, Option<i16>, Option
     (sum, middle, spread, both, ring.iter().filter(|value| *value > 0).count())
 }
 
-/// Gone through by iterators of its own.
+/// Rings iterated over by their own iterator type.
 #[function]
 pub fn by_values(values: [u16; 4], from: u8) -> (u32, u32, u32) {
     let mut ring = Ring::<u16, 3>::new();

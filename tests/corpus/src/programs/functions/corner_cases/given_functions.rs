@@ -1,22 +1,23 @@
-//! Functions and constructors in the place of closures: of none, one, two and three arguments, by reference, of types.
+//! Functions and constructors instead of closures: with none, one, two and three arguments, by reference, and of
+//! types.
 
 use core::cmp::Ordering;
 
 use bessemer::prelude::*;
 
-/// A length in the sum of which a function of its own has a part.
+/// A length.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stretch(pub f64);
 
 #[data]
 impl Stretch {
-    /// Its length.
+    /// The number in metres.
     pub fn length(&self) -> f64 {
         self.0
     }
 
-    /// Returns true if it is one at all.
+    /// Returns true if the length is above a limit.
     pub fn is_long(&self) -> bool {
         self.0 > 1.0
     }
@@ -77,7 +78,7 @@ pub fn two_by_two(samples: &[f64; 4], m: &Matrix2<f64>) -> (f64, Option<f64>, Ma
     )
 }
 
-/// By reference, and as what is made.
+/// Functions that take references, and constructors of the result.
 #[function]
 pub fn by_reference(lengths: [f64; 3]) -> (f64, usize, [Stretch; 3]) {
     let spans = lengths.map(Stretch);
@@ -85,7 +86,7 @@ pub fn by_reference(lengths: [f64; 3]) -> (f64, usize, [Stretch; 3]) {
     (sum, spans.iter().copied().filter(Stretch::is_long).count(), spans)
 }
 
-/// Something with methods that take closures and variants.
+/// A type with methods that take closures and enums.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Amplifier {
@@ -100,7 +101,7 @@ impl Amplifier {
         f(self.gain)
     }
 
-    /// Takes a variant.
+    /// Stores the number of a variant.
     pub fn set(&mut self, lapse: Lapse) {
         self.last = lapse;
     }
@@ -111,7 +112,7 @@ fn twice(x: f64, f: impl Fn(f64) -> f64) -> f64 {
     f(f(x))
 }
 
-/// An author's own methods and functions that take closures are given functions, and variants where they take those.
+/// Functions passed to an author's own methods that take closures, and variants to those that take enums.
 #[function]
 pub fn own(amplifier: &mut Amplifier, code: u8) -> f64 {
     amplifier.set(Lapse::Code(code));

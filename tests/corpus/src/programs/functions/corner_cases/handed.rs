@@ -1,4 +1,5 @@
-//! Closures handed on: methods, structs, arrays, several at once, names that mean something else inside.
+//! Closures as arguments: for methods, with structs and arrays, several at once, and names with another meaning
+//! inside.
 
 use bessemer::prelude::*;
 
@@ -11,7 +12,7 @@ pub struct Table {
 
 #[data]
 impl Table {
-    /// The sum of what is made of each value.
+    /// The sum of the results of a closure for each value.
     pub fn total(&self, each: impl Fn(i16, usize) -> i16) -> i16 {
         let mut sum = self.offset;
         for (i, value) in self.values.iter().enumerate() {
@@ -31,13 +32,13 @@ impl Table {
     }
 }
 
-/// One with what the function's own names mean otherwise.
+/// A closure that captures variables with the names of the method's own.
 #[function]
 pub fn shadowing(table: &Table, sum: i16, i: usize) -> i16 {
     table.total(|value, at| if at == i { value.wrapping_add(sum) } else { value })
 }
 
-/// Another of the same function.
+/// Two different closures for the same method.
 #[function]
 pub fn twice(table: &Table) -> i16 {
     let double = |value: i16, _at: usize| value.wrapping_mul(2);
@@ -45,7 +46,7 @@ pub fn twice(table: &Table) -> i16 {
     table.total(double).wrapping_sub(table.total(negated))
 }
 
-/// Writes to what is around, and to what it is given.
+/// A closure that writes to a captured variable and to its argument.
 #[function]
 pub fn changed(table: &Table, limit: i16) -> (Table, u32) {
     let mut copy = *table;
@@ -59,7 +60,7 @@ pub fn changed(table: &Table, limit: i16) -> (Table, u32) {
     (copy, clipped)
 }
 
-/// Two closures, one handed on.
+/// Two closures, one of which is passed on.
 #[function]
 fn composed<T: Real>(x: T, f: impl Fn(T) -> T, g: impl Fn(T) -> T) -> T {
     repeated(g(x), f)
@@ -73,7 +74,7 @@ fn repeated<T: Real>(mut x: T, f: impl Fn(T) -> T) -> T {
     x
 }
 
-/// In single precision, and in double.
+/// Calls it in single and in double precision.
 #[function]
 pub fn both(x: f32, y: f64, table: [f64; 2]) -> (f32, f64) {
     let single = composed(x, |x| x * 0.5, |x| x - 1.0);
@@ -81,7 +82,7 @@ pub fn both(x: f32, y: f64, table: [f64; 2]) -> (f32, f64) {
     (single, double)
 }
 
-/// A closure that can fault, in a function that can.
+/// A closure that can fault, in a function that can fault.
 #[function]
 pub fn faulting(count: u8, parts: [u8; 3]) -> u8 {
     repeated_u8(count, |at| parts[usize::from(at)] + 1)
@@ -96,13 +97,13 @@ fn repeated_u8(count: u8, f: impl Fn(u8) -> u8) -> u8 {
     value - 1
 }
 
-/// A function of the author's, by way of a closure.
+/// An author's function that a closure calls.
 #[function]
 fn squared(x: i16) -> i16 {
     x.wrapping_mul(x)
 }
 
-/// Its values at the elements.
+/// The sum of its results for the elements.
 #[function]
 pub fn called(table: &Table, by: i16) -> i16 {
     table.total(|value, _| squared(value.wrapping_sub(by)))

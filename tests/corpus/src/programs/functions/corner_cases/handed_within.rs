@@ -1,4 +1,5 @@
-//! A closure handed to a function within one that is handed to the same; and variables that such closures assign.
+//! A closure passed to a function within a closure that is passed to the same function; and variables that such
+//! closures assign.
 
 use bessemer::prelude::*;
 
@@ -7,7 +8,7 @@ fn visit<T: Copy, F: FnMut(T) -> bool>(first: T, second: T, mut visit: F) -> u8 
     if visit(first) && visit(second) { 2 } else { 1 }
 }
 
-/// The inner one is of another type.
+/// The inner call has another type.
 #[function]
 pub fn within(one: i32, other: u8) -> u8 {
     visit(one, 3, |x| visit(other, 4_u8, |y| y > 1) > 1 && x > 0)
@@ -25,7 +26,7 @@ pub fn last(one: i32, mut other: i32) -> (i32, i32, u8) {
     (last, other, seen)
 }
 
-/// Through another, of a place and of a variable.
+/// Nested closures that write an element and a variable.
 #[function]
 pub fn through(mut values: [i32; 3], mut at: i32) -> ([i32; 3], i32) {
     let part = &mut values[1];
@@ -39,7 +40,7 @@ pub fn through(mut values: [i32; 3], mut at: i32) -> ([i32; 3], i32) {
     (values, at)
 }
 
-/// To itself: nothing happens.
+/// A value assigned to itself: nothing changes.
 #[function]
 #[allow(dead_code)]
 pub fn itself(mut value: u16) -> u16 {

@@ -1,4 +1,4 @@
-//! Interfaces with parameters, types and defaults of their own; the same names elsewhere.
+//! Traits with parameters, associated types and defaults; the same names elsewhere.
 
 use bessemer::prelude::*;
 
@@ -13,7 +13,7 @@ pub trait Stage<T> {
         if N > 3 { Self::ORDER } else { N as u8 }
     }
 
-    /// No receiver.
+    /// A function of the trait without a receiver.
     fn made(seed: u8) -> Self
     where
         Self: Sized;

@@ -1,10 +1,11 @@
-//! Places that functions lend: what is computed when, what is looked at where nobody reads, and what is written.
+//! Functions that return references: when their arguments are evaluated and checked, and what is written through
+//! them.
 
 use core::ops::{Index, IndexMut};
 
 use bessemer::prelude::*;
 
-/// A pair.
+/// A pair of numbers.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cell {
@@ -41,7 +42,7 @@ impl Store {
         &mut self.cells[i]
     }
 
-    /// Counts, then lends.
+    /// Counts the call, then returns a reference to the next cell.
     fn next(&mut self) -> &mut Cell {
         self.at += 1;
         let i = usize::from(self.at % 4);
@@ -114,7 +115,7 @@ impl IndexMut<(usize, usize)> for Store {
     }
 }
 
-/// The index is that of the call, whatever becomes of the variable.
+/// The index is evaluated at the call; later changes of the variable do not matter.
 #[function]
 pub fn fixed(store: &mut Store, start: usize) -> f64 {
     let mut i = start % 4;
@@ -128,7 +129,7 @@ pub fn fixed(store: &mut Store, start: usize) -> f64 {
     sum + f64::from(i as u32)
 }
 
-/// Looked at, though nobody reads it.
+/// The index is checked, even if nothing reads the reference.
 #[function]
 pub fn unread(store: &mut Store, i: usize) -> u8 {
     let _ = store.cell(i);
@@ -137,7 +138,7 @@ pub fn unread(store: &mut Store, i: usize) -> u8 {
     store.at
 }
 
-/// A borrow of a place with several parts.
+/// A reference to a struct whose fields are used.
 #[function]
 pub fn parts(store: &mut Store, i: usize) -> f64 {
     let mut sum = 0.0;
@@ -155,7 +156,7 @@ pub fn parts(store: &mut Store, i: usize) -> f64 {
     sum + store.whole()[(1, 1)] + store.whole().trace()
 }
 
-/// Lists and options.
+/// References into lists and options.
 #[function]
 pub fn held(store: &mut Store, n: u8) -> u32 {
     store.items_mut().push(n);
@@ -171,7 +172,7 @@ pub fn held(store: &mut Store, n: u8) -> u32 {
     sum + u32::from(store[0]) + store.items().len() as u32
 }
 
-/// Two ways to index, by the type of what stands in the brackets.
+/// Two implementations of `Index`, selected by the type of the index.
 #[function]
 pub fn indexed(store: &mut Store, i: usize, j: usize) -> f64 {
     let place = (i % 6, j % 3);
@@ -180,7 +181,7 @@ pub fn indexed(store: &mut Store, i: usize, j: usize) -> f64 {
     store[(0, 1)] + f64::from(store[j])
 }
 
-/// In conditions, loops and closures.
+/// References in conditions, loops and closures.
 #[function]
 pub fn asked(store: &Store, i: usize) -> f64 {
     if store.cell(0).n > 3 && store.cell(i).x > 0.0 {
@@ -198,7 +199,7 @@ pub fn asked(store: &Store, i: usize) -> f64 {
     }
 }
 
-/// The last few of what came.
+/// A ring buffer of the last values.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ring {
@@ -206,7 +207,7 @@ pub struct Ring {
     next: u8,
 }
 
-/// Methods of every ring.
+/// A trait with methods for all rings.
 #[interface]
 pub trait Recent {
     fn back(&self, n: usize) -> &f32;
@@ -237,13 +238,13 @@ fn fed<R: Recent>(ring: &mut R, x: f32) -> f32 {
     *ring.newest()
 }
 
-/// Through an interface.
+/// References returned through a trait.
 #[function]
 pub fn recent(ring: &mut Ring, x: f32, n: usize) -> f32 {
     fed(ring, x) - ring.back(n % 5)
 }
 
-/// Values by their keys.
+/// Values with keys.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Slots {
@@ -253,7 +254,7 @@ pub struct Slots {
 
 #[data]
 impl Slots {
-    /// Searches, then lends.
+    /// Searches a key, then returns a reference to its value.
     fn of_mut(&mut self, key: u8) -> &mut f64 {
         let mut at = 0;
         for i in 0..4 {
@@ -265,14 +266,14 @@ impl Slots {
         &mut self.values[at]
     }
 
-    /// Changes what it is given, which is its own.
+    /// Changes its own copy of the parameter before it returns a reference.
     fn later(&mut self, mut i: usize) -> &mut f64 {
         i += 1;
         &mut self.values[i]
     }
 }
 
-/// Borrows of the value itself, and of unused copies.
+/// References to a whole value, and unused copies.
 #[function]
 pub fn copied(slots: &mut Slots, key: u8, i: usize) -> f64 {
     *slots.of_mut(key) += 1.0;

@@ -1,4 +1,4 @@
-//! Interfaces of types that borrow, with each form that a lifetime takes where one is implemented.
+//! Traits implemented for types that borrow, with each form of a lifetime.
 
 #![allow(missing_docs)]
 
@@ -10,7 +10,7 @@ pub trait Zone {
 
     fn contains(&self, x: u32) -> bool;
 
-    /// By what an implementation says.
+    /// A weight that each implementation defines.
     fn weight(&self, xs: [u32; 4]) -> u32 {
         let mut sum = 0;
         for x in xs {

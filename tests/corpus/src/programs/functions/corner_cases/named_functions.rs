@@ -1,8 +1,8 @@
-//! Functions under a name, called and handed on; and slices that are split where that can fail.
+//! Named functions that are called and passed on; and slices whose split can fault.
 
 use bessemer::prelude::*;
 
-/// Half of it.
+/// Half of a number.
 #[function]
 pub fn half(x: f64) -> f64 {
     x / 2.0
@@ -20,7 +20,7 @@ pub fn thrice(f: impl Fn(f64) -> f64, x: f64) -> f64 {
     twice(&f, f(x))
 }
 
-/// Names of functions of the author's and of numbers.
+/// Variables that name functions of the author and of numbers.
 #[function]
 pub fn named(x: f64, y: f64) -> f64 {
     let smaller = half;
@@ -31,7 +31,7 @@ pub fn named(x: f64, y: f64) -> f64 {
     larger(both, twice(smaller, y)) + [x, y].iter().copied().map(size).fold(0.0, larger)
 }
 
-/// A value and its named constructor.
+/// A newtype with a constructor.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Level(pub u8);
@@ -43,7 +43,7 @@ impl Level {
         Level((x & 0xFF) as u8)
     }
 
-    /// The next one.
+    /// The next level.
     pub fn next(self) -> Level {
         Level(self.0.wrapping_add(1))
     }
@@ -66,7 +66,7 @@ pub fn head(frame: &[u8; 6], n: usize) -> Option<(u8, usize)> {
     Some((*head.last()?, rest.len()))
 }
 
-/// Both parts, or none.
+/// The lengths of both parts, after writing them.
 #[function]
 pub fn parts(frame: &mut [u8; 6], n: usize, m: usize) -> usize {
     if let Some((left, right)) = frame[1..].split_at_mut_checked(n & 7) {

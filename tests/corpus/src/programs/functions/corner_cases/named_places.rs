@@ -1,4 +1,4 @@
-//! Names of parts whose index changes afterwards, is a parameter, a loop's counter, or is never used.
+//! Named references to elements whose index changes afterwards, is a parameter, a loop's counter, or is never used.
 
 use bessemer::prelude::*;
 
@@ -9,7 +9,7 @@ pub struct Cell {
     pub log: List<u8, 2>,
 }
 
-/// The index moves on; the name does not.
+/// The index changes after the reference is taken.
 #[function]
 pub fn moving(cells: &mut [Cell; 3], at: usize) -> usize {
     let mut i = at;
@@ -22,14 +22,14 @@ pub fn moving(cells: &mut [Cell; 3], at: usize) -> usize {
     i
 }
 
-/// Nothing is done with the part, but it has to be there.
+/// An unused reference, whose index is checked nevertheless.
 #[function]
 pub fn looked(cells: &[Cell; 3], at: usize) -> u8 {
     let _cell = &cells[at];
     3
 }
 
-/// In a loop, and in a list.
+/// References in a loop, and into a list.
 #[function]
 pub fn summed(cells: &mut [Cell; 3], at: usize) -> i32 {
     let mut sum = 0;
@@ -43,7 +43,7 @@ pub fn summed(cells: &mut [Cell; 3], at: usize) -> i32 {
     sum
 }
 
-/// An element of a matrix.
+/// A reference to an element of a matrix.
 #[function]
 pub fn doubled(m: &mut Matrix3<f64>, row: usize, column: usize) -> f64 {
     let element = &mut m[(row, column)];

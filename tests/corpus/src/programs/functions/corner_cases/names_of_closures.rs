@@ -1,4 +1,4 @@
-//! The name of a closure is free again where the closure is out of scope or hidden.
+//! The name of a closure can be used again after its scope, or where it is hidden.
 
 use bessemer::prelude::*;
 
@@ -28,7 +28,7 @@ pub fn hidden(x: u8) -> u8 {
     }
 }
 
-/// A path passed as a function is itself, even if closures have names.
+/// A path passed as a function means the item, even if a closure has the same name.
 #[function]
 pub fn beside_constants(x: u8, low: u8) -> Option<u8> {
     let far = |n: u8| n > low;
@@ -57,7 +57,7 @@ pub fn hidden_later(x: i16, y: i16) -> i16 {
     all[2].wrapping_add(last[0]).wrapping_sub(last[1]).wrapping_add(gain)
 }
 
-/// Each call sees what those before it wrote.
+/// Each call sees the writes of the calls before it.
 #[function]
 pub fn counting(x: i16) -> [i16; 4] {
     let mut sum = x & 31;

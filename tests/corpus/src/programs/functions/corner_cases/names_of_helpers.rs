@@ -49,7 +49,7 @@ pub fn named(low: u8, other: u8, bits: u32, x: f64) -> u32 {
     u32::from(Min { low }.u8(other)) ^ wrapped ^ U32::from_f64(x).value
 }
 
-/// Locals that are called as helpers are.
+/// Locals with the names of helper functions.
 #[function]
 pub fn locals(a: u8, b: u8, c: i8) -> u32 {
     let xor_u8 = a.wrapping_add(1);
@@ -58,7 +58,7 @@ pub fn locals(a: u8, b: u8, c: i8) -> u32 {
     bits_of_f64.wrapping_add(wrap_i32 as u32)
 }
 
-/// Downwards from what was converted to a signed type.
+/// A loop downwards from a number that was converted to a signed type.
 #[function]
 pub fn downwards(m: u8, n: i16) -> i32 {
     let mut sum = 0_i32;

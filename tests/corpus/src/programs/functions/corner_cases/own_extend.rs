@@ -1,10 +1,10 @@
-//! Methods of an author's own types that are called as methods of lists and of iterators are; and `Extend` of one's own.
+//! Methods of an author's types with the names of those of lists and iterators; and implementations of `Extend`.
 
 #![allow(missing_docs)]
 
 use bessemer::prelude::*;
 
-/// Numbers, each taken as its half.
+/// A list of numbers that halves each number added.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Halves {
@@ -40,7 +40,7 @@ impl Halves {
     }
 }
 
-/// A sum of bytes, and of words.
+/// A sum of bytes and of words, modulo `M`.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sum<const M: u32> {

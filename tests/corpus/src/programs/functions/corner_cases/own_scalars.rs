@@ -4,22 +4,22 @@
 use bessemer::prelude::*;
 use core::ops::{Add, Mul, Sub};
 
-/// A number of a filter.
+/// A number type of a filter.
 #[interface]
 pub trait Scalar:
     Copy + PartialOrd + Default + Add<Output = Self> + Mul<Output = Self> + Sub<Output = Self> + From<f32>
 {
     /// 1.
     const ONE: Self;
-    /// Its sine.
+    /// The sine.
     fn sin(self) -> Self;
-    /// Its size.
+    /// The magnitude.
     fn abs(self) -> Self;
-    /// Between two others.
+    /// Limits the number to a range.
     fn clamp(&self, low: &Self, high: &Self) -> Self;
-    /// A number in double precision.
+    /// Converts a number from double precision.
     fn of(x: f64) -> Self;
-    /// The larger.
+    /// The larger of two numbers.
     fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
@@ -48,7 +48,7 @@ macro_rules! scalars {
 
 scalars! { f32 f64 }
 
-/// A number with a sign apart.
+/// A fixed-point number.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct Fixed(i32);
@@ -101,7 +101,7 @@ impl Scalar for Fixed {
     }
 }
 
-/// A filter of any of them.
+/// A filter for any of these number types.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Filter<T> {
@@ -111,12 +111,12 @@ pub struct Filter<T> {
 
 #[data]
 impl<T: Scalar> Filter<T> {
-    /// With this gain.
+    /// A filter with a gain.
     pub fn new(gain: T) -> Filter<T> {
         Filter { state: T::default(), gain }
     }
 
-    /// One step on a number.
+    /// Filters one sample.
     pub fn step(&mut self, x: T) -> T {
         let of = T::of;
         let limit = T::from(2.5_f32);
@@ -126,7 +126,7 @@ impl<T: Scalar> Filter<T> {
     }
 }
 
-/// All of them side by side.
+/// Filters of three number types.
 #[function]
 pub fn filtered(x: f64, y: f32, z: i32) -> (f64, f32, i32) {
     let mut double = Filter::new(0.25);
@@ -138,20 +138,20 @@ pub fn filtered(x: f64, y: f32, z: i32) -> (f64, f32, i32) {
     (double.step(x.sin()), single.step(y.max(0.5)), fixed.step(Fixed(z).abs()).0)
 }
 
-/// A number that becomes a double.
+/// A number that can be converted to `f64`.
 #[function]
 pub fn scaled<T: Into<f64>>(x: T, by: f64) -> f64 {
     let wide: f64 = x.into();
     wide * by
 }
 
-/// A number that may not fit.
+/// A conversion that may fail.
 #[function]
 pub fn narrowed<T: TryFrom<u32> + Default>(x: u32) -> T {
     T::try_from(x).unwrap_or_default()
 }
 
-/// A number made of a byte.
+/// A conversion from a byte.
 #[function]
 pub fn widened<T>(x: u8) -> T
 where
@@ -160,7 +160,7 @@ where
     T::from(x) + T::from(1)
 }
 
-/// The conversions for several types.
+/// Uses the conversions with several types.
 #[function]
 pub fn converted(a: f32, b: i32, c: u32) -> (f64, u8, u16, u32, f64) {
     let narrow: u8 = narrowed(c);

@@ -1,8 +1,8 @@
-//! Methods of an author's own that have the names of a slice's or a list's.
+//! An author's methods with the names of those of slices and lists.
 
 use bessemer::prelude::*;
 
-/// A table of steps with a hint where the last search ended.
+/// A table of steps that remembers where the last search ended.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Steps {
@@ -12,7 +12,7 @@ pub struct Steps {
 
 #[data]
 impl Steps {
-    /// The place of a step, from the back.
+    /// The index of a step, counted from the end.
     pub fn binary_search(&self, wanted: i32) -> Option<u32> {
         let mut found = None;
         for i in 0..5 {
@@ -23,7 +23,7 @@ impl Steps {
         found
     }
 
-    /// Number of steps above a number.
+    /// Number of steps above a limit.
     pub fn partition_point(&self, above: i32) -> u32 {
         let mut count = 0;
         for step in self.at {
@@ -34,14 +34,14 @@ impl Steps {
         count
     }
 
-    /// Sets what is below a number to it.
+    /// Raises all steps to at least a limit.
     pub fn retain(&mut self, least: i32) {
         for step in &mut self.at {
             *step = (*step).max(least);
         }
     }
 
-    /// Moves every step that a closure names.
+    /// Applies a closure to each step.
     pub fn apply(&mut self, f: impl Fn(i32) -> i32) {
         for step in &mut self.at {
             *step = f(*step);
@@ -49,7 +49,7 @@ impl Steps {
     }
 }
 
-/// Calls each of them.
+/// Calls the author's methods.
 #[function]
 pub fn search_steps(steps: &mut Steps, wanted: i32) -> u32 {
     steps.retain(wanted.max(-100));
@@ -60,7 +60,7 @@ pub fn search_steps(steps: &mut Steps, wanted: i32) -> u32 {
     }
 }
 
-/// Searches in slices and lists, whose closures read other slices.
+/// Searches in slices and lists with closures that read other slices.
 #[function]
 pub fn search_elements(values: &[i32; 6], marks: &[i32], list: &mut List<i32, 6>) -> usize {
     let marked = &marks[..marks.len().min(3)];

@@ -1,4 +1,4 @@
-//! Methods of an author's own type that are called as those of `bool` are, beside those of `bool`.
+//! An author's methods with the names of those of `bool`, and those of `bool` itself.
 
 use bessemer::prelude::*;
 
@@ -12,19 +12,19 @@ pub struct Switch {
 
 #[data]
 impl Switch {
-    /// The value while it is off; counts how often it was asked.
+    /// The value if the switch is off; counts the calls.
     pub fn then_some(&mut self, value: u8) -> Option<u8> {
         self.asked = self.asked.wrapping_add(1);
         if self.on { None } else { Some(value) }
     }
 
-    /// Another one.
+    /// The other switch, if this one is on.
     pub fn then(self, other: Switch) -> Switch {
         Switch { on: self.on && other.on, asked: other.asked }
     }
 }
 
-/// Not the ones of `bool`.
+/// Calls the author's methods.
 #[function]
 pub fn chosen(switch: &mut Switch, other: Switch, value: u8) -> Option<u8> {
     let chosen = switch.then_some(value.wrapping_mul(3));

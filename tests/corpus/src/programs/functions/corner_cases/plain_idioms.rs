@@ -1,11 +1,11 @@
-//! Idioms of plain Rust: a trait that collects bounds, builders, a packet with an error of its own, a ring with an
+//! Idioms of plain Rust: a trait that combines bounds, builders, a packet with an error type, and a ring with an
 //! iterator.
 
 use bessemer::nalgebra::RealField;
 use bessemer::prelude::*;
 use core::fmt;
 
-/// Scalars of the models.
+/// Number types of the models.
 #[interface]
 pub trait Num: RealField + Copy {}
 #[data]
@@ -17,15 +17,15 @@ impl<T: RealField + Copy> Num for T {}
 pub struct Pid<T> { kp: T, ki: T, kd: T, integral: T, last: Option<T>, limit: (T, T) }
 #[data]
 impl<T: Num> Pid<T> {
-    /// With this gain.
+    /// A controller with a proportional gain.
     pub fn new(kp: T) -> Self { Self { kp, ki: T::zero(), kd: T::zero(), integral: T::zero(), last: None, limit: (-T::one(), T::one()) } }
-    /// With another gain besides.
+    /// The controller with an integral gain.
     #[must_use]
     pub fn with_ki(mut self, ki: T) -> Self { self.ki = ki; self }
-    /// With another gain besides.
+    /// The controller with a derivative gain.
     #[must_use]
     pub const fn with_kd(self, kd: T) -> Self { Self { kd, ..self } }
-    /// The answer to an error.
+    /// One period; returns the limited output.
     pub fn step(&mut self, error: T, dt: T) -> T {
         self.integral += error * dt;
         let rate = self.last.map_or(T::zero(), |last| (error - last) / dt);
@@ -35,14 +35,14 @@ impl<T: Num> Pid<T> {
         if out > high { self.integral -= error * dt; high } else if out < low { low } else { out }
     }
 }
-/// In both precisions.
+/// Controllers in both precisions.
 #[function]
 pub fn pids(x: f64, y: f32) -> f64 {
     let mut a = Pid::new(2.0).with_ki(0.1).with_kd(0.01);
     let mut b = Pid::new(1.0_f32).with_ki(0.5);
     a.step(x, 0.01) + f64::from(b.step(y, 0.1))
 }
-/// Why there is no packet.
+/// Reason why there is no packet.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error { Short { need: usize, got: usize }, Crc(u8), Kind }
@@ -52,7 +52,7 @@ impl fmt::Display for Error {
     }
 }
 impl core::error::Error for Error {}
-/// A packet, or why there is none.
+/// Result of parsing a packet.
 type Result<T, E = Error> = core::result::Result<T, E>;
 /// A packet.
 #[data]
@@ -73,7 +73,7 @@ impl Packet {
         let stamp = u32::from_le_bytes(bytes[7..11].try_into().unwrap());
         Ok(Packet { id: bytes[0], values, stamp })
     }
-    /// Into bytes.
+    /// Writes the packet as bytes.
     pub fn write(&self, out: &mut [u8; Self::LEN]) {
         out[0] = self.id;
         for (i, v) in self.values.iter().enumerate() { out[1 + 2 * i..][..2].copy_from_slice(&v.to_be_bytes()); }
@@ -81,7 +81,7 @@ impl Packet {
         out[11] = out[..11].iter().copied().fold(0, u8::wrapping_add);
     }
 }
-/// There and back.
+/// Parses bytes and writes them again.
 #[function]
 pub fn round_trip(bytes: &[u8; 12]) -> Result<u32> {
     let p = Packet::parse(bytes)?;
@@ -90,25 +90,25 @@ pub fn round_trip(bytes: &[u8; 12]) -> Result<u32> {
     let q = match Packet::parse(&out) { Ok(q) if q == p => q, Ok(_) => return Err(Error::Kind), Err(e @ Error::Crc(_)) => return Err(e), Err(_) => Packet::default() };
     Ok(q.stamp ^ u32::from(q.id))
 }
-/// The last few.
+/// A ring buffer of the last items.
 #[data]
 #[derive(Clone, Debug)]
 pub struct Ring<T, const N: usize> { items: [Option<T>; N], head: usize, len: usize }
 impl<T: Copy, const N: usize> Default for Ring<T, N> { fn default() -> Self { Self { items: [None; N], head: 0, len: 0 } } }
 #[data]
 impl<T: Copy + PartialOrd, const N: usize> Ring<T, N> {
-    /// Puts one behind the others; what had to go for it.
+    /// Adds an item; returns the one that it replaces, if any.
     pub fn push(&mut self, item: T) -> Option<T> {
         let at = (self.head + self.len) % N;
         if self.len == N { self.head = (self.head + 1) % N; } else { self.len += 1; }
         self.items[at].replace(item)
     }
-    /// From the oldest on.
+    /// Iterates from the oldest item on.
     pub fn iter(&self) -> impl Iterator<Item = T> + '_ { (0..self.len).filter_map(move |i| self.items[(self.head + i) % N]) }
-    /// The largest.
+    /// The largest item.
     pub fn largest(&self) -> Option<T> { self.iter().reduce(|a, b| if b > a { b } else { a }) }
 }
-/// A ring of numbers.
+/// Uses a ring of numbers.
 #[function]
 pub fn rings(x: &[f32; 6]) -> f32 {
     let mut r = Ring::<f32, 4>::default();

@@ -1,4 +1,4 @@
-//! Components made of components, at different rates.
+//! Components made of components that run at different rates.
 
 use bessemer::prelude::*;
 
@@ -26,21 +26,21 @@ impl LowPass {
     }
 }
 
-/// Three channels at every call, and their sum at every fourth.
+/// Filters three channels at every call, and their sum at every fourth.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rates {
-    /// The fast part, one for each channel.
+    /// The fast filters, one for each channel.
     pub channels: [LowPass; 3],
-    /// The slow part.
+    /// The slow filter.
     pub slow: LowPass,
-    /// Calls since the slow part ran.
+    /// Number of calls since the slow filter ran.
     pub tick: u8,
 }
 
 #[component]
 impl Rates {
-    /// Calls for each of the slow part.
+    /// Number of calls in one period of the slow filter.
     const DIVIDER: u8 = 4;
 
     /// One fast period.

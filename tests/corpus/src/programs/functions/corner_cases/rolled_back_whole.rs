@@ -1,12 +1,12 @@
-//! A component whose copy, for rolling back, is too large for the stack, within another one.
+//! A component with rollback, inside another component; its copy is too large for the stack.
 
 use bessemer::prelude::*;
 
-/// Counts in many places.
+/// Counts occurrences at many positions.
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tally {
-    /// Number of occurrences of each.
+    /// Number of occurrences at each position.
     pub counts: [u32; 80],
 }
 
@@ -18,7 +18,7 @@ impl Default for Tally {
 
 #[component]
 impl Tally {
-    /// Counts from a place on; past the end, and at the largest count, it is a fault.
+    /// Counts at some positions from the first on; a position out of range or a counter at its maximum is a fault.
     #[entry(atomic)]
     pub fn count(&mut self, from: u8, places: u8) -> u32 {
         let mut last = 0;
@@ -30,19 +30,19 @@ impl Tally {
     }
 }
 
-/// Two of them.
+/// Two counting components.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pair {
-    /// The one.
+    /// First component.
     pub one: Tally,
-    /// The other.
+    /// Second component.
     pub other: Tally,
 }
 
 #[component]
 impl Pair {
-    /// Counts in both.
+    /// Counts in both components.
     #[entry(atomic)]
     pub fn count(&mut self, from: u8, places: u8) -> u32 {
         self.one.count(from, places) ^ self.other.count(from, 1)

@@ -1,4 +1,4 @@
-//! Results and arguments of every shape.
+//! Results and arguments of every size and kind.
 
 use bessemer::prelude::*;
 
@@ -116,7 +116,7 @@ impl Shapes {
         (b >> n) as i32 ^ (b << n) as i32 ^ (c >> n) ^ (c << n)
     }
 
-    /// The author writes rows, and nalgebra keeps columns.
+    /// A matrix written by rows; nalgebra stores it by columns.
     #[entry(infallible)]
     pub fn built(&self, a: f64, b: f64) -> SMatrix<f64, 2, 3> {
         SMatrix::<f64, 2, 3>::new(a, b, 1.0, 2.0, a - b, 3.0)
@@ -130,7 +130,7 @@ impl Shapes {
     }
 }
 
-/// The Jacobian of a range and a bearing.
+/// The Jacobian of a distance and a bearing.
 #[function]
 pub fn jacobian(x: f64, y: f64) -> bessemer::nalgebra::Matrix2x4<f64> {
     let range = (x * x + y * y).sqrt();

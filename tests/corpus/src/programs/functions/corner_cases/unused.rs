@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Nobody reads this.
+/// A constant that nothing uses.
 pub const SPARE: f64 = 1.0;
 
 #[component]

@@ -1,6 +1,7 @@
-//! `core::mem::replace` and `swap` of places that calls give, beside assignments and calls: each write is where Rust makes it.
+//! `core::mem::replace` and `swap` of places that calls return, next to assignments and other calls: each write
+//! occurs where it does in Rust.
 //!
-//! One function for each way to a place; in each the ways to write there, through a name, at once, in a closure and as an
+//! There is one function for each way to obtain a place; each writes through a name, directly, in a closure and as an
 //! argument.
 
 #![allow(unused_mut, unused_must_use)]
@@ -92,7 +93,7 @@ fn only(v: &mut [u8; 1]) -> &mut u8 {
     &mut v[0]
 }
 
-/// What leads to a place is computed once, and before the value.
+/// The expressions that lead to a place are evaluated once, and before the value.
 #[function]
 pub fn in_order(a: [u8; 3], n: u8) -> ([u8; 3], u8, u8) {
     let (mut v, mut n) = (a, n);
@@ -264,7 +265,7 @@ pub fn given(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to what a reference refers to, borrowed again.
+/// Writes through a reborrowed reference.
 #[function]
 pub fn reborrowed(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -293,7 +294,7 @@ pub fn reborrowed(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to what a reference refers to.
+/// Writes through a reference.
 #[function]
 pub fn referred_to(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);

@@ -1,4 +1,5 @@
-//! `core::mem::replace` and `swap` of places that slices, lists, options and iterators give: each write is where Rust makes it.
+//! `core::mem::replace` and `swap` of places that methods of slices, lists, options and iterators return: each write
+//! occurs where it does in Rust.
 
 #![allow(unused_mut, unused_must_use)]
 
@@ -19,7 +20,7 @@ fn set(place: &mut u8, n: u8) -> u8 {
     before
 }
 
-/// Writes to the last of a slice.
+/// Writes to the last element of a slice.
 #[function]
 pub fn last(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -48,7 +49,7 @@ pub fn last(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2]
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to the first of a slice.
+/// Writes to the first element of a slice.
 #[function]
 pub fn first(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -77,7 +78,7 @@ pub fn first(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to by an index that is looked at.
+/// Writes to the element at a checked index.
 #[function]
 pub fn by_index(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -106,7 +107,7 @@ pub fn by_index(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to a part of what is split.
+/// Writes to an element of a split slice.
 #[function]
 pub fn split(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -135,7 +136,7 @@ pub fn split(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to the last of a list.
+/// Writes to the last element of a list.
 #[function]
 pub fn last_of_list(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -193,7 +194,7 @@ pub fn in_list(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8;
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to what an option has, or gets.
+/// Writes to the content of an option, which is inserted if it is missing.
 #[function]
 pub fn filled(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -222,7 +223,7 @@ pub fn filled(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to what is put into an option.
+/// Writes to the content just inserted into an option.
 #[function]
 pub fn inserted(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -251,7 +252,7 @@ pub fn inserted(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to what a closure gives an option.
+/// Writes to the content of an option, which a closure computes if it is missing.
 #[function]
 pub fn filled_by(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -280,7 +281,7 @@ pub fn filled_by(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to what an option has.
+/// Writes to the content of an option.
 #[function]
 pub fn in_option(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -309,7 +310,7 @@ pub fn in_option(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to what an option in a field has.
+/// Writes to the content of an option in a field.
 #[function]
 pub fn in_field(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -338,7 +339,7 @@ pub fn in_field(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to what an iterator gives.
+/// Writes to an item of an iterator.
 #[function]
 pub fn iterated(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -367,7 +368,7 @@ pub fn iterated(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to what an iterator gives last.
+/// Writes to the last item of an iterator.
 #[function]
 pub fn iterated_last(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);
@@ -396,7 +397,7 @@ pub fn iterated_last(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>
     ([x, v[0], v[1], v[2], other], s, o, [l[0], l[1]], sum)
 }
 
-/// Writes to the greatest that an iterator gives.
+/// Writes to the greatest item of an iterator.
 #[function]
 pub fn greatest(a: [u8; 3], i: usize, n: u8) -> ([u8; 5], Shelf, Option<u8>, [u8; 2], u8) {
     let (mut x, mut v, mut o, i) = (a[0], a, (a[2] & 1 == 0).then_some(a[2]), i % 5);

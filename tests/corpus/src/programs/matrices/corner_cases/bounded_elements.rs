@@ -1,4 +1,4 @@
-//! Bounded matrices of integers and of `bool`, and what is done with their rows and columns.
+//! Bounded matrices of integers and of `bool`, and operations on their rows and columns.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Bounded matrices by value, in structs, compared, added and taken apart.
+//! Bounded matrices by value, in structs, compared, added and indexed.
 
 use bessemer::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Norms, but that of one row.
+/// Norms of the columns and of all rows but one.
 #[function]
 pub fn norms(m: &Matrix3<f64>, n: &Matrix2x3<f32>) -> (f64, f32) {
     let (mut columns, mut rows) = (0.0, 0.0);
@@ -18,7 +18,7 @@ pub fn norms(m: &Matrix3<f64>, n: &Matrix2x3<f32>) -> (f64, f32) {
     (columns, rows)
 }
 
-/// A matrix in a field, and names that the loop would choose.
+/// A matrix in a field, and names that the generated loop would use.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Held {
@@ -27,7 +27,7 @@ pub struct Held {
 
 #[data]
 impl Held {
-    /// The last column whose first is above `column`.
+    /// The last column whose first element is above `column`.
     pub fn last_above(&self, column: i32) -> usize {
         let mut found = 9;
         for (row, line) in self.gains.column_iter().enumerate() {
@@ -39,7 +39,7 @@ impl Held {
     }
 }
 
-/// All elements: until one is negative, each to the outer loop's next pass where it is 8.
+/// Changes all elements until one is negative; an 8 continues the outer loop.
 #[function]
 pub fn changed(m: &mut BoundedMatrix<i32, 3, 4>, times: u8) -> i32 {
     let mut last = 0;
@@ -62,7 +62,7 @@ pub fn changed(m: &mut BoundedMatrix<i32, 3, 4>, times: u8) -> i32 {
     last
 }
 
-/// Folds and searches.
+/// Folds and searches over all elements.
 #[function]
 pub fn folded(m: &BoundedMatrix<i32, 3, 4>) -> (i32, bool, usize, Option<i32>) {
     let sum = m.iter().fold(0i32, |sum, value| sum.wrapping_add(*value));
@@ -71,7 +71,7 @@ pub fn folded(m: &BoundedMatrix<i32, 3, 4>) -> (i32, bool, usize, Option<i32>) {
     (sum, odd, positive, m.iter().copied().max())
 }
 
-/// A name bound in a condition is borrowed by the next.
+/// A name bound in one condition is used in the next.
 #[function]
 pub fn lent(flag: bool, x: Option<i32>) -> i32 {
     if let mut kept = flag
@@ -89,7 +89,7 @@ pub fn lent(flag: bool, x: Option<i32>) -> i32 {
     0
 }
 
-/// The other way round, and counted, also in a chain.
+/// Reversed and enumerated columns, also in a chain.
 #[function]
 pub fn counted(m: &mut Matrix3x4<f64>, w: &[f64; 4]) -> f64 {
     for (i, mut column) in m.column_iter_mut().enumerate() {

@@ -1,4 +1,4 @@
-//! An author's own methods that are called as nalgebra's of matrices and views.
+//! An author's methods with the names of those of nalgebra's matrices and views.
 
 use bessemer::prelude::*;
 
@@ -11,7 +11,7 @@ pub struct Table {
 
 #[data]
 impl Table {
-    /// The first cell for which a closure holds.
+    /// The first cell that satisfies a closure.
     pub fn apply(&self, wanted: impl Fn(u32) -> bool) -> u32 {
         let mut found = 0;
         for cell in self.cells {
@@ -22,25 +22,25 @@ impl Table {
         found
     }
 
-    /// Fold of the ends, from the last.
+    /// A fold of the first and last cell, from the last.
     pub fn fold(&self, start: u32, join: impl Fn(u32, u32) -> u32) -> u32 {
         join(join(start, self.cells[3]), self.cells[0])
     }
 }
 
-/// Both.
+/// Calls both methods.
 #[function]
 pub fn of_a_table(table: &Table, least: u32) -> (u32, u32) {
     (table.apply(|cell| cell > least), table.fold(least, |sum, cell| sum.wrapping_mul(3) ^ cell))
 }
 
-/// A closure applied to one element at any index.
+/// Applies a closure to the element at an index.
 #[function(expand)]
 fn of_one<F: FnMut(u32) -> u32>(values: &[u32; 4], at: usize, mut f: F) -> u32 {
     f(values[at])
 }
 
-/// An element is looked for also where the closure does not read it, and before the closure does anything.
+/// The index is checked even if the closure ignores the element, and before the closure has side effects.
 #[function]
 pub fn unread(values: &[u32; 4], at: usize, calls: &mut u32) -> u32 {
     let first = of_one(values, at, |_| {

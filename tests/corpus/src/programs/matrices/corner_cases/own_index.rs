@@ -1,8 +1,9 @@
-//! Elements at an index that is read from what is written: the index is computed once, before any part is written.
+//! Elements whose index is read from the written value itself: the index is evaluated once, before any part is
+//! written.
 
 use bessemer::prelude::*;
 
-/// A node of a list: its value, and where the next one is.
+/// A node of a list: its value, and the index of the next one.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Node {
@@ -10,7 +11,7 @@ pub struct Node {
     value: i32,
 }
 
-/// Writes the node that the node `at` leads to, which may be itself.
+/// Writes the node that follows the node `at`, which may be the same one.
 #[function]
 pub fn write_next(nodes: &mut [Node; 4], at: usize, value: i32) -> i32 {
     let at = at % 4;
@@ -18,7 +19,7 @@ pub fn write_next(nodes: &mut [Node; 4], at: usize, value: i32) -> i32 {
     nodes[at].value
 }
 
-/// Assigns a copy of another node.
+/// Copies the following node to a node.
 #[function]
 pub fn copy_next(nodes: &mut [Node; 4], at: usize) -> i32 {
     let at = at % 4;
@@ -26,21 +27,21 @@ pub fn copy_next(nodes: &mut [Node; 4], at: usize) -> i32 {
     nodes[at].value
 }
 
-/// A row that is chosen by an element of it.
+/// Writes a row that is selected by one of its elements.
 #[function]
 pub fn write_row(rows: &mut [[u8; 3]; 4], value: u8) -> u8 {
     rows[usize::from(rows[0][1].abs_diff(rows[2][0])) % 4] = [value, 7, value / 2];
     rows[2][2]
 }
 
-/// Assigns each element from the one before.
+/// Assigns each element of a row from the one before.
 #[function]
 pub fn fill_row(rows: &mut [[u8; 3]; 4], value: u8) -> u8 {
     rows[usize::from(rows[1][0]) % 4] = core::array::from_fn(|at| value.wrapping_add(at as u8));
     rows[1][2]
 }
 
-/// A vector of a table, by a number in it.
+/// Adds to a vector that is selected by a number in it.
 #[function]
 pub fn add_to_vector(table: &mut [Vector2<f64>; 3], by: f64) -> f64 {
     let step = Vector2::new(by, 1.0);

@@ -1,8 +1,8 @@
-//! Routines of linear algebra that no other program has, in both precisions.
+//! Routines of linear algebra that no other program uses, in both precisions.
 
 use bessemer::prelude::*;
 
-/// True if to turn the sign.
+/// True if the sign is inverted.
 const TURNED: bool = true;
 
 #[function]

@@ -1,4 +1,4 @@
-//! Views at any place, and written in every way.
+//! Views at any position, written in every way.
 
 use core::ops::{AddAssign, MulAssign, SubAssign};
 
@@ -47,14 +47,14 @@ pub fn changed(m: &mut Matrix3<f64>, column: usize, by: &Vector3<f64>) {
     m.set_column(column, &column_of);
 }
 
-/// Methods of parts of a matrix that are named like those of scalars.
+/// Methods of views with the names of those of scalars.
 #[function]
 pub fn magnitudes_of_parts(m: &Matrix3<f64>) -> [f64; 4] {
     let block = m.fixed_view::<2, 2>(1, 0);
     [m.row(0).abs().sum(), m.column(1).max(), m.row(2).min(), block.abs().sum()]
 }
 
-/// Assignments by name, and a view of a matrix in an array.
+/// Assigns to named views, and to a view of a matrix in an array.
 #[function]
 pub fn assigned(m: &mut [Matrix3<f64>; 2], v: &Vector3<f64>, at: usize) {
     m[at].column_mut(at).add_assign(v);

@@ -1,8 +1,8 @@
-//! Bits of small types that are shifted out, and what is put together of them.
+//! Bits that are shifted out of small types, and numbers combined from them.
 
 use bessemer::prelude::*;
 
-/// Those that were shifted out do not come back.
+/// Bits that were shifted out are lost.
 #[function]
 pub fn out_and_back(x: u16, places: u8) -> u16 {
     let places = places % 16;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Nothing.
+/// A component without state.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Checked {

@@ -1,4 +1,4 @@
-//! Comparisons with what gcc takes for a complement, and would warn of.
+//! Comparisons that gcc takes for ones of a complement, and would warn of.
 
 use bessemer::prelude::*;
 
@@ -20,14 +20,14 @@ pub fn bits(x: u8, y: u16) -> (bool, bool, bool, bool) {
     (!x < 7, !y == 9, x ^ 0xff > 3, y ^ u16::MAX < !y)
 }
 
-/// Behind other arithmetic, and where it wraps.
+/// Complements after other arithmetic, and wrapped.
 #[function]
 pub fn wrapped(x: u8, y: u8) -> (bool, bool, bool) {
     let sum = x / 2 + y / 2;
     (255 - sum < y, 255u8.wrapping_sub(x) < y, !(x ^ y) == y)
 }
 
-/// The bound of a loop, and an index.
+/// A complement as a loop's bound, and as an index.
 #[function]
 pub fn counted(from: u8, table: &[u8; 4]) -> u32 {
     let mut count = 0;
@@ -39,14 +39,14 @@ pub fn counted(from: u8, table: &[u8; 4]) -> u32 {
     count
 }
 
-/// An author's own type of a name that core has, too.
+/// An author's type with the name of one in core.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cell {
     pub voltage: u16,
 }
 
-/// Returns true if it is full.
+/// Returns true if the cell is full.
 #[function]
 pub fn full(cell: &Cell) -> bool {
     u16::MAX - cell.voltage < 5

@@ -1,5 +1,5 @@
-//! Operands that one constant decides, whatever the other value is. Compilers know them, and warn about certain faults
-//! although a check is before them.
+//! Operations whose result one constant determines, whatever the other operand is. Compilers know that, and warn of
+//! certain faults although a check precedes them.
 #![allow(unconditional_panic, arithmetic_overflow, clippy::all)]
 
 use bessemer::prelude::*;
@@ -50,13 +50,13 @@ pub fn signed_too_far(x: i64, y: u32, n: u8) -> i64 {
     x >> (y | u32::MAX)
 }
 
-/// Known results of comparisons.
+/// Comparisons with known results.
 #[function]
 pub fn compared(y: u16, z: i8) -> [bool; 6] {
     [(y & 0) == 0, y % 1 > 0, (y | u16::MAX) == u16::MAX, z * 0 != 0, z % -1 <= 0, (y * 0) < (y & 0)]
 }
 
-/// Numbers that were `bool`s.
+/// Numbers converted from `bool`.
 #[function]
 pub fn flags(flag: bool, other: bool) -> [bool; 6] {
     [
@@ -69,7 +69,7 @@ pub fn flags(flag: bool, other: bool) -> [bool; 6] {
     ]
 }
 
-/// The bits that differ, one after another.
+/// Number of bits that differ, counted one after another.
 #[function]
 fn bits_that_differ(x: u32, y: u32) -> u8 {
     let (mut rest, mut count) = (x ^ y, 0);
@@ -80,13 +80,13 @@ fn bits_that_differ(x: u32, y: u32) -> u8 {
     count
 }
 
-/// It calls nobody, since what would be asked is decided.
+/// A call whose result is not needed, since the operation's result is known.
 #[function]
 pub fn asked_for_nothing(x: u32, y: u32) -> bool {
     bits_that_differ(x, y) % 1 == 0
 }
 
-/// A number of which only what is decided asks.
+/// A number that is used only in operations with known results.
 #[function]
 pub fn counted_for_nothing(x: &[u8; 4]) -> bool {
     let mut count = 0_u32;

@@ -1,9 +1,9 @@
-//! A number that is below another stays below it when something is subtracted, unless it is subtracted from the other
-//! side.
+//! A number below another stays below it when something is subtracted from it, but not when that is subtracted from
+//! the other.
 
 use bessemer::prelude::*;
 
-/// A distance that is negative is added.
+/// Subtracts a negative distance, which is no reason for `x` to stay below `n`.
 #[function]
 pub fn behind(x: i32, n: i32) -> i32 {
     if x < n {
@@ -13,7 +13,7 @@ pub fn behind(x: i32, n: i32) -> i32 {
     0
 }
 
-/// The case of floats.
+/// Subtracts a negative distance from a float.
 #[function]
 pub fn before(x: f64, n: f64) -> f64 {
     if x < n {
@@ -23,7 +23,7 @@ pub fn before(x: f64, n: f64) -> f64 {
     0.0
 }
 
-/// The index before one below the length, and the one behind it.
+/// The elements before and after an index below the length.
 #[function]
 pub fn beside(values: &[u8], at: usize) -> u8 {
     if at < values.len() {

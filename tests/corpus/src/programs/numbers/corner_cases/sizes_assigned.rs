@@ -1,9 +1,9 @@
-//! Sizes that are assigned again: some fit into 32 bits whatever happens, others do not, and what is computed of two that fit
-//! need not.
+//! Sizes that are assigned repeatedly: some always fit into 32 bits, others do not, and results of two that fit may
+//! not fit either.
 
 use bessemer::prelude::*;
 
-/// Number of rising neighbours: the counter is below 8.
+/// Number of increasing neighbours: the counter is below 8.
 #[function]
 pub fn rises(values: &[u8; 8]) -> usize {
     let (mut k, mut count) = (0, 0);
@@ -16,7 +16,7 @@ pub fn rises(values: &[u8; 8]) -> usize {
     count
 }
 
-/// Number of halvings of a size until nothing is left.
+/// Number of halvings of a size until it is 0.
 #[function]
 pub fn halved(n: usize) -> (usize, u32) {
     let (mut rest, mut last, mut count) = (n, 0, 0);
@@ -28,7 +28,7 @@ pub fn halved(n: usize) -> (usize, u32) {
     (last + n % 2, count)
 }
 
-/// Two that fit, and their product, difference, bits and shift, which need all 64.
+/// Two sizes that fit, and results that need all 64 bits.
 #[function]
 pub fn computed(a: u16, b: u16) -> [usize; 5] {
     let (mut x, mut y) = (usize::from(a), 3);
@@ -41,7 +41,7 @@ pub fn computed(a: u16, b: u16) -> [usize; 5] {
     [x * y, x.wrapping_sub(y), !x, x << 30, x.saturating_sub(y) + (x as i32 as usize)]
 }
 
-/// One that fits at each end of a branch but the last.
+/// A size that fits after each branch but the last.
 #[function]
 pub fn chosen(n: usize, kind: u8) -> usize {
     let mut at = 0;

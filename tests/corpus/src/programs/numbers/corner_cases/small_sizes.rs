@@ -1,12 +1,12 @@
-//! Sizes that are known to fit into 32 bits, on their way into sums, products, shifts, comparisons and calls of 64.
+//! Sizes that are known to fit into 32 bits, used in 64-bit sums, products, shifts, comparisons and calls.
 
 use bessemer::prelude::*;
 
-/// Places of a ring.
+/// Capacity of a ring buffer.
 #[data]
 const PLACES: usize = 12;
 
-/// A ring of numbers.
+/// A ring buffer of numbers.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SmallSizes {
@@ -16,7 +16,7 @@ pub struct SmallSizes {
 
 #[component]
 impl SmallSizes {
-    /// Takes a number in; gives what sizes of it come to.
+    /// Adds a number; returns a sum over several sizes.
     #[entry]
     pub fn take(&mut self, number: u64, small: u8, wide: u16) -> u64 {
         let next = self.next % PLACES;

@@ -1,4 +1,4 @@
-//! Modules of one last name, each with a type of one name, and options of both.
+//! Modules with the same last name, each with a type of the same name, and options of both types.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! One side.
+//! A module with the same names as `right`.
 
 use bessemer::prelude::*;
 

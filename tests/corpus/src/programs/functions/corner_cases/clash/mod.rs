@@ -1,4 +1,4 @@
-//! Equal names in several modules.
+//! Equal names of items in several modules.
 
 use bessemer::prelude::*;
 

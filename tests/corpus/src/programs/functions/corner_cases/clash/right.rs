@@ -1,4 +1,4 @@
-//! The other side.
+//! A module with the same names as `left`.
 
 use bessemer::prelude::*;
 

@@ -1,22 +1,22 @@
-//! Needs the other's `Middle`, which needs nothing.
+//! Uses `Middle` of the module `right`, which itself needs no other type.
 
 use bessemer::prelude::*;
 
 use super::right::{Far, Middle};
 
-/// A number.
+/// A struct with one number.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Near {
-    /// Any.
+    /// An arbitrary number.
     pub value: i16,
 }
 
-/// Type from the other module.
+/// A struct with a type of the other module.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wide {
-    /// Both ends.
+    /// Two structs of the other module.
     pub ends: [Middle; 2],
 }
 

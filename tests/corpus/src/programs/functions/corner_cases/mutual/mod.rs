@@ -1,4 +1,4 @@
-//! Two modules of which each needs the other's types: headers of C cannot, so that they are one.
+//! Two modules that use each other's types. C headers cannot do that, so the two share one header.
 
 pub mod left;
 pub mod right;
@@ -8,7 +8,7 @@ use bessemer::prelude::*;
 use left::Near;
 use right::{Far, far_of};
 
-/// Sum of both types.
+/// Sum over the types of both modules.
 #[function]
 pub fn both(a: i16, b: i16) -> i32 {
     let far = far_of(Near { value: a }, b);

@@ -1,28 +1,28 @@
-//! Needs the other's `Near`, which needs nothing.
+//! Uses `Near` of the module `left`, which itself needs no other type.
 
 use bessemer::prelude::*;
 
 use super::left::Near;
 
-/// A share.
+/// A fraction.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Middle {
-    /// Fraction, of 256.
+    /// The fraction times 256.
     pub share: u8,
 }
 
-/// Type from the other module.
+/// A struct with a type of the other module.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Far {
-    /// The number.
+    /// A struct of the other module.
     pub near: Near,
-    /// Fraction, of 256.
+    /// A fraction times 256.
     pub share: u8,
 }
 
-/// With the share of a number.
+/// Combines a number and a fraction.
 #[function]
 pub fn far_of(near: Near, share: i16) -> Far {
     Far { near, share: share as u8 }

@@ -1,3 +1,3 @@
-//! The first of two.
+//! A module of two with the same submodule name.
 
 pub mod state;

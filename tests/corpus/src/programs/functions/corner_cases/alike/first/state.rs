@@ -1,4 +1,4 @@
-//! Whole numbers.
+//! The type `State` with whole numbers.
 
 use bessemer::prelude::*;
 

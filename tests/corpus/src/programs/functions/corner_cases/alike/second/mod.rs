@@ -1,3 +1,3 @@
-//! The second of two.
+//! The other module of two with the same submodule name.
 
 pub mod state;

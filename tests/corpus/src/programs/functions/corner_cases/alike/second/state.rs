@@ -1,4 +1,4 @@
-//! Floats.
+//! The type `State` with floats.
 
 use bessemer::prelude::*;
 
