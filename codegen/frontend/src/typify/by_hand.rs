@@ -19,8 +19,9 @@ use bessemer_ir::{Expr, ExprKind, Int, Local, LocalId, Scalar, Type};
 
 use super::choice::takes_all;
 use super::items::handing;
-use super::lowering::{Closure, Hand, Lowering, meaning_in};
+use super::lowering::{Closure, Hand, Lowering};
 use super::mentions::mentions;
+use super::scopes::{Names, meaning_in};
 use super::syntax::{generates, some_of};
 use super::value::Value;
 use super::{Needed, Result, refusals, refused};
@@ -159,7 +160,7 @@ impl<'a> Lowering<'a, '_> {
             {
                 arguments[at] = tree::Expr::local(WITHIN, site);
             }
-            closure.scope.names.push(vec![(WITHIN.to_owned(), Value::Closure(of))]);
+            closure.scope.names.push(Names::from_iter([(WITHIN.to_owned(), Value::Closure(of))]));
             self.closure(closure);
         }
         let hand = Hand { again: counted + 1, taken, local, kept, within: Some(within) };
@@ -215,7 +216,7 @@ impl<'a> Lowering<'a, '_> {
                 _ => continue,
             };
             for closure in &mut both {
-                closure.scope.names.push(vec![(name.clone(), copy.clone())]);
+                closure.scope.names.push(Names::from_iter([(name.clone(), copy.clone())]));
             }
         }
         if taken.is_some() {
@@ -235,7 +236,7 @@ impl<'a> Lowering<'a, '_> {
         };
         let counted = self.closures.len();
         for (closure, of) in both.iter_mut().zip([within, again]) {
-            closure.scope.names.push(vec![(WITHIN.to_owned(), Value::Closure(of))]);
+            closure.scope.names.push(Names::from_iter([(WITHIN.to_owned(), Value::Closure(of))]));
             self.closure(closure.clone());
         }
         let hand = Hand { again: counted + 1, taken, local, kept, within: Some(within) };

@@ -13,7 +13,8 @@ use bessemer_ir::{
     Argument, Expr, ExprKind, Function, FunctionId, Local, LocalId, Mode, Place, Role, Type,
 };
 
-use super::lowering::{Closure, Lowering, Scope, UNNAMED, local_since, meaning_in};
+use super::lowering::{Closure, Lowering, Scope, UNNAMED, local_since};
+use super::scopes::{Names, meaning_in};
 use super::value::Value;
 use super::words;
 use super::{Needed, Result, names, refusals, refused};
@@ -157,7 +158,11 @@ impl<'a> Lowering<'a, '_> {
                 _ => return refused(site, refusals::SLICE_IN_CLOSURE),
             }
         }
-        let scope = Scope { names: vec![captures], expanding: Vec::new(), locals: None };
+        let scope = Scope {
+            names: vec![captures.into_iter().collect()],
+            expanding: Vec::new(),
+            locals: None,
+        };
         Ok(Closure { text, source: self.source, scope, outermost: None })
     }
 
@@ -173,7 +178,9 @@ impl<'a> Lowering<'a, '_> {
             closures.iter().filter_map(|(_, closure)| closure.text.name.clone()).collect();
         given.sort();
         let span = self.span(site);
-        let all = closures.iter().flat_map(|(_, closure)| closure.scope.names.iter().flatten());
+        let all = closures
+            .iter()
+            .flat_map(|(_, closure)| closure.scope.names.iter().flat_map(Names::iter));
         let outside: Vec<(String, Place)> = all
             .filter_map(|(name, meaning)| Some((name.clone(), self.place_of(meaning, span)?)))
             .collect();
@@ -192,7 +199,7 @@ impl<'a> Lowering<'a, '_> {
         let params = inner.locals.len();
         let mut next = first as u32;
         for (param, mut closure) in closures {
-            for (_, meaning) in closure.scope.names.iter_mut().flatten() {
+            for meaning in closure.scope.names.iter_mut().flat_map(Names::meanings_mut) {
                 match meaning {
                     Value::Local(local) => *local = LocalId(next),
                     Value::Place(place) => {

@@ -120,7 +120,12 @@ impl<'a> Lowering<'a, '_> {
             return refused(site, refusals::EXPANDS_ITSELF);
         }
         let expanding = [&self.expanding[..], &[&function.path]].concat();
-        self.from(function, Scope { names: vec![bound], expanding, locals: None }, site, lower)
+        self.from(
+            function,
+            Scope { names: vec![bound.into_iter().collect()], expanding, locals: None },
+            site,
+            lower,
+        )
     }
 
     /// Lowers code of another function in its own scope. An error in it is reported once, at its line; the caller's

@@ -10,8 +10,9 @@ use bessemer_ir::{
 
 use super::borrowed::{Lenders, Path};
 use super::destructure::Let;
-use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since, meaning_in};
+use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since};
 use super::names::split;
+use super::scopes::{Names, meaning_in};
 use super::syntax::control_with_value;
 use super::value::Value;
 use super::{Context, Needed, Result, names, problem, refusals, refused};
@@ -135,7 +136,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             cx,
             source,
             locals: Vec::new(),
-            scopes: vec![Vec::new()],
+            scopes: vec![Names::default()],
             out: Vec::new(),
             naming: UNNAMED.into(),
             result,
@@ -343,7 +344,7 @@ impl Lowering<'_, '_> {
 
     pub(super) fn bind(&mut self, name: &str, binding: Value) {
         if let Some(scope) = self.scopes.last_mut() {
-            scope.push((name.to_owned(), binding));
+            scope.bind(name.to_owned(), binding);
         }
     }
 
@@ -373,7 +374,7 @@ impl Lowering<'_, '_> {
         &mut self,
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
-        self.scopes.push(Vec::new());
+        self.scopes.push(Names::default());
         let done = lower(self);
         self.scopes.pop();
         done
@@ -381,7 +382,7 @@ impl Lowering<'_, '_> {
 
     /// Lowers in a new scope, into a new block.
     pub(super) fn scoped(&mut self, lower: impl FnOnce(&mut Self) -> Result<()>) -> Result<Block> {
-        self.scopes.push(Vec::new());
+        self.scopes.push(Names::default());
         let done = self.apart(lower);
         self.scopes.pop();
         done.map(|((), inner)| Block(inner))

@@ -10,7 +10,8 @@ use bessemer_ir::tree::{self, Builtin, Desugared, EACH, ExprKind as Tree, Source
 
 use super::Result;
 use super::closure_args::is_hidden;
-use super::lowering::{Lowering, meaning_in};
+use super::lowering::Lowering;
+use super::scopes::meaning_in;
 use super::syntax::generates;
 use super::value::Value;
 
@@ -138,7 +139,7 @@ impl<'a> Lowering<'a, '_> {
         if copies.is_empty() {
             return known;
         }
-        closure.scope.names.push(copies);
+        closure.scope.names.push(copies.into_iter().collect());
         self.closure(closure)
     }
 }

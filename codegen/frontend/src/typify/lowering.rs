@@ -11,6 +11,7 @@ use bessemer_ir::{Local, LocalId, Place, Stmt, Type};
 
 use super::Context;
 use super::borrowed::Lenders;
+use super::scopes::{Names, meanings_in};
 use super::value::Value;
 
 /// Name of temporaries if nothing else provides one.
@@ -24,7 +25,7 @@ pub(super) struct Lowering<'a, 'c> {
     pub source: &'a tree::Function,
     pub locals: Vec<Local>,
     /// Scopes with the meaning of each name, innermost last. In a scope, later bindings shadow earlier ones.
-    pub scopes: Vec<Vec<(String, Value)>>,
+    pub scopes: Vec<Names>,
     /// Statements of the current block so far.
     pub out: Vec<Stmt>,
     /// First part of the names of temporaries.
@@ -56,12 +57,6 @@ pub(super) struct Lowering<'a, 'c> {
     pub absent: Vec<bool>,
     /// Paths of the functions that are being inlined, outermost first.
     pub expanding: Vec<&'a str>,
-}
-
-/// Returns the meaning of a name in scopes, of which the innermost is last.
-pub(super) fn meaning_in<'s>(scopes: &'s [Vec<(String, Value)>], name: &str) -> Option<&'s Value> {
-    let mut found = scopes.iter().rev().flat_map(|scope| scope.iter().rev());
-    found.find_map(|(known, meaning)| (known == name).then_some(meaning))
 }
 
 /// Returns the local that a place is, if its handle is at least `first`.
@@ -112,9 +107,8 @@ impl<'a> Lowering<'a, '_> {
 
     /// Returns the closure that a name denotes, even if another meaning shadows it.
     pub(super) fn closure_named(&self, name: &str) -> Option<usize> {
-        let mut found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
-        found.find_map(|(known, meaning)| match meaning {
-            Value::Closure(closure) if known == name => Some(*closure),
+        meanings_in(&self.scopes, name).find_map(|meaning| match meaning {
+            Value::Closure(closure) => Some(*closure),
             _ => None,
         })
     }
@@ -194,7 +188,7 @@ pub(super) struct Closure<'a> {
 /// Meaning of the names in a closure.
 #[derive(Clone)]
 pub(super) struct Scope<'a> {
-    pub names: Vec<Vec<(String, Value)>>,
+    pub names: Vec<Names>,
     /// Paths of the functions that were being inlined at its definition.
     pub expanding: Vec<&'a str>,
     /// Number of locals at its definition. None in a copy of a function for this closure, where its names denote

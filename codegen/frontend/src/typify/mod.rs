@@ -56,6 +56,7 @@ mod place_functions;
 mod ranges;
 mod refusals;
 mod rewrite;
+mod scopes;
 mod seq;
 mod settled;
 mod single_pass;

@@ -10,6 +10,7 @@ use bessemer_ir::{CompareOp, Expr, Fault, Int, Mode, Scalar, Type};
 
 use super::Result;
 use super::lowering::{Closure, Lowering};
+use super::scopes::Names;
 use super::syntax::{bare, generates, is_named, is_of_library};
 use super::value::Value;
 
@@ -238,7 +239,7 @@ impl<'a> Lowering<'a, '_> {
 
     /// Replaces an expression by a new unique name for `given`.
     fn stand_in(&mut self, expr: &mut tree::Expr, name: &str, given: Value) {
-        let known: usize = self.scopes.iter().map(|scope| scope.len()).sum();
+        let known: usize = self.scopes.iter().map(Names::len).sum();
         let name = format!("{name}{known}");
         self.bind(&name, given);
         *expr = tree::Expr::local(&name, expr.site);

@@ -91,7 +91,7 @@ impl Lower<'_> {
             head,
             body,
         );
-        self.live.truncate(names);
+        self.leave(names);
         let mut stmts = std::mem::replace(&mut self.out, outside);
         if stmts.len() == 1 {
             self.out.append(&mut stmts);

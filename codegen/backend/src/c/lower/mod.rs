@@ -26,7 +26,7 @@ mod variants;
 mod widths;
 mod word;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
@@ -90,6 +90,8 @@ pub(super) struct Lower<'a> {
     mentioned: Vec<bool>,
     /// Names that are visible here.
     live: Vec<String>,
+    /// The visible names as a set.
+    taken: HashSet<String>,
     out: Vec<Stmt>,
     origin: Option<Origin>,
     uses: &'a mut Uses,
@@ -127,6 +129,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
         wide: crate::passes::wide(function),
         mentioned: vec![false; function.locals.len()],
         live: Vec::new(),
+        taken: HashSet::new(),
         out: Vec::new(),
         origin: None,
         uses,
@@ -158,6 +161,7 @@ impl<'a> Lower<'a> {
     fn parameters(&mut self) {
         let function = self.function;
         self.live = self.signature.params.iter().map(|param| param.name.clone()).collect();
+        self.taken = self.live.iter().cloned().collect();
         for (index, local) in function.parameters().iter().enumerate() {
             let name = self.signature.params[index].name.clone();
             let array = local.ty.is_array();
@@ -314,7 +318,7 @@ impl<'a> Lower<'a> {
     fn scope(&mut self, inner: impl FnOnce(&mut Self)) -> Vec<Stmt> {
         let (names, outer) = (self.live.len(), std::mem::take(&mut self.out));
         inner(self);
-        self.live.truncate(names);
+        self.leave(names);
         std::mem::replace(&mut self.out, outer)
     }
 
@@ -322,12 +326,19 @@ impl<'a> Lower<'a> {
         self.scope(|lower| lower.block_into(block, tail))
     }
 
+    /// Leaves a scope that began with this number of names.
+    fn leave(&mut self, names: usize) {
+        for name in self.live.drain(names..) {
+            self.taken.remove(&name);
+        }
+    }
+
     /// Returns a name that no visible variable has.
     fn fresh(&mut self, wanted: &str) -> String {
         let wanted = local_name(wanted);
-        let live = &self.live;
+        let live = &self.taken;
         let names = self.context.names;
-        let taken = |name: &str| live.iter().any(|other| other == name) || names.is_global(name);
+        let taken = |name: &str| live.contains(name) || names.is_global(name);
         // Beside the result's own name, a local is the value that it will get.
         let result = self.signature.params.get(self.function.params as usize);
         let wanted = match result {
@@ -336,6 +347,7 @@ impl<'a> Lower<'a> {
         };
         let name = unique(&wanted, taken);
         self.live.push(name.clone());
+        self.taken.insert(name.clone());
         name
     }
 
