@@ -74,7 +74,8 @@ fn an_operand_goes_back_where_nothing_between_tells() {
 
 #[test]
 fn what_stands_between_keeps_what_it_would_tell() {
-    // Statements between, by columns: nothing; a write of `n`, of `x`, of `m`; a read of `n`; a fault; a way out; a call.
+    // Statements between, by columns: nothing; a write of `n`, of `x`, of `m`; a read of `n`; a fault; a way out; a call; an
+    // index that may be out of range.
     let between = [
         "",
         "n = 0u8;",
@@ -84,18 +85,19 @@ fn what_stands_between_keeps_what_it_would_tell() {
         "m = m + 1u8;",
         "if m == 0u8 { return 9u8; }",
         "bump(&mut m);",
+        "m = a[m];",
     ];
     // Whether it goes (`+`), for each.
     let values = [
-        ("n", "+-++++++"),
-        ("x", "++-+++++"),
-        ("n & 3u8", "+-++++++"),
-        ("n.wrapping_add(x)", "+--+++++"),
-        ("a[3]", "++++++++"),
-        ("n + 1u8", "+--++---"),
-        ("a[n]", "+--++---"),
-        ("bump(&mut n)", "+--+----"),
-        ("bump(&mut x)", "++-++---"),
+        ("n", "+-+++++++"),
+        ("x", "++-++++++"),
+        ("n & 3u8", "+-+++++++"),
+        ("n.wrapping_add(x)", "+--++++++"),
+        ("a[3]", "+++++++++"),
+        ("n + 1u8", "+--++----"),
+        ("a[n]", "+--++---+"),
+        ("bump(&mut n)", "+--+-----"),
+        ("bump(&mut x)", "++-++----"),
     ];
     for (value, goes) in values {
         for (between, goes) in between.iter().zip(goes.chars()) {
@@ -128,6 +130,10 @@ fn a_name_goes_where_it_is_read_as_often_as_one_likes() {
     assert_eq!(
         of("let t0: u8 = n; let t1: u8 = t0; m = t1; return t1 & t0;"),
         "m = n; return n & n;"
+    );
+    // A read of a name of a name is a read of the first.
+    assert!(
+        of("let t0: u8 = n; let t1: u8 = t0; m = t1; n = 0u8; return t1;").starts_with("let t0")
     );
     // What a branch computes may have to be computed before it.
     stays("let t: u8 = n & 1u8; if m == 0u8 { return t; } return 0u8;");
@@ -186,6 +192,83 @@ fn a_check_goes_where_the_use_of_its_index_repeats_it() {
             return add(&mut a[t0], &t1);"),
         "return add(&mut a[n & 3u8], &m + 1u8);"
     );
+}
+
+#[test]
+fn a_computed_bound_of_a_loop_stays_before_it() {
+    let stays = |body: &str| assert!(of(body).starts_with("let t: u8"), "{}", of(body));
+    stays("let t: u8 = n & 3u8; for i: u8 in 0u8..t { m = i; } return m;");
+    stays("let t: u8 = n & 3u8; for i: u8 in t..3u8 { m = i; } return m;");
+    assert_eq!(
+        of("let t: u8 = n; for i: u8 in 0u8..t { m = i; } return m;"),
+        "for i: u8 in 0u8..n { m = i; } return m;"
+    );
+}
+
+#[test]
+fn a_fault_stays_before_what_leaves_the_pass() {
+    for leaves in ["break;", "continue;"] {
+        let found = of(&format!(
+            "for i: u8 in 0u8..2u8 {{ let t: u8 = n + 1u8; if m == 0u8 {{ {leaves} }} m = t; }} return m;"
+        ));
+        assert!(found.contains("let t: u8"), "{leaves}: {found}");
+    }
+}
+
+#[test]
+fn a_fault_stays_before_a_match_of_an_enum() {
+    let found = fused(
+        "module demo
+
+enum Mode {
+  Idle,
+  Land,
+}
+
+fn step in demo(mode: Mode, n: u8) -> u8 as total {
+  let t: u8 = n + 1u8;
+  let m: u8 = 0u8;
+  match mode {
+    Mode::Idle => {
+      m = 1u8;
+    }
+    Mode::Land => {}
+  }
+  return t & m;
+}
+",
+    );
+    assert!(found.starts_with("let t: u8"), "{found}");
+}
+
+#[test]
+fn rows_are_evaluated_before_columns() {
+    let indexed = |row: &str, column: &str| {
+        fused(&format!(
+            "module demo
+
+fn bump in demo(count: &mut usize) -> usize as value {{
+  count = count.wrapping_add(1usize);
+  return count;
+}}
+
+fn pick in demo(a: matrix<f64, 2, 2>, n: usize) -> f64 as value {{
+  let t0: usize = bump(&mut n);
+  let t1: usize = n;
+  return a[{row}, {column}];
+}}
+"
+        ))
+    };
+    assert_eq!(indexed("t0", "t1"), "return a[bump(&mut n), n];");
+    assert!(indexed("t1", "t0").starts_with("let t0: usize"), "{}", indexed("t1", "t0"));
+}
+
+#[test]
+fn a_value_of_which_a_part_is_read_stays() {
+    let kept = "let t: [u8; 4] = [n, m, n, m]; return t[1];";
+    assert_eq!(of(kept), kept);
+    assert_eq!(of("let t: [u8; 4] = a; return t[1];"), "return a[1];");
 }
 
 #[test]
