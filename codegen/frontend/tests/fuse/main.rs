@@ -272,6 +272,12 @@ fn a_value_of_which_a_part_is_read_stays() {
 }
 
 #[test]
+fn a_temporary_that_is_written_stays() {
+    let kept = "let t: u8 = n; t = m; return t;";
+    assert_eq!(of(kept), kept);
+}
+
+#[test]
 fn what_nobody_reads_goes_unless_it_does_something() {
     assert_eq!(of("let t: u8 = n & 1u8; return m;"), "return m;");
     let stays = |body: &str| assert_eq!(of(body), body);
