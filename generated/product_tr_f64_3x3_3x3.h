@@ -20,8 +20,12 @@
 #endif
 #if !defined(FLT_EVAL_METHOD)
 #error "float.h lacks FLT_EVAL_METHOD: pass -DFLT_EVAL_METHOD=0 if each operation rounds to its own type"
+#elif FLT_EVAL_METHOD == 1
+#error "float is computed as double here: compile with -fexcess-precision=fast, or with -std=gnu99"
+#elif FLT_EVAL_METHOD == 2
+#error "float and double are computed as long double here, by x87: compile with -msse2 -mfpmath=sse"
 #elif FLT_EVAL_METHOD != 0
-#error "each operation must round to its own type: -msse2 -mfpmath=sse on x86, -fexcess-precision=fast elsewhere"
+#error "each operation must round to its own type: choose flags with which FLT_EVAL_METHOD is 0"
 #endif
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
     || defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0)
@@ -29,10 +33,13 @@
 #endif
 /* An array of size -1 if a literal is no double: compile without -fsingle-precision-constant. */
 typedef char PRODUCT_TR_F64_3X3_3X3_H_DOUBLE_LITERALS[(sizeof(0.1) == sizeof(double)) ? 1 : -1];
+/* These pragmas hold for what follows, whatever flags say: sums, quotients and signs of zeros stay as they are written,
+ * and gcc fuses no product with a sum. */
 #if defined(__clang__)
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wpragmas"
 #pragma float_control(precise, on, push)
+#pragma clang diagnostic pop
 #elif defined(__GNUC__)
 #pragma GCC push_options
 #pragma GCC optimize("fp-contract=off", "signed-zeros")
@@ -137,6 +144,8 @@ static inline void product_tr_f64_3x3_3x3(const double a[9], const double b[9], 
 }
 
 #if defined(__clang__)
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wpragmas"
 #pragma float_control(pop)
 #pragma clang diagnostic pop
 #elif defined(__GNUC__)

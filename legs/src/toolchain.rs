@@ -10,7 +10,7 @@ use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex};
 
-use crate::{objects, store};
+use crate::{machines, objects, store};
 
 use bessemer_backend::c::Standard;
 
@@ -177,10 +177,10 @@ pub const RISCV32: Toolchain = Toolchain {
     ..GCC
 };
 
-/// Big-endian. Held to C99, gcc would compute `float` as `double` there, which the C refuses.
+/// Big-endian. By a strict standard, gcc would compute `float` as `double` there, which the C refuses.
 pub const S390X: Toolchain = Toolchain {
     compiler: "s390x-linux-gnu-gcc",
-    machine: &["-std=gnu99", "-static"],
+    machine: &["-fexcess-precision=fast", "-static"],
     emulator: Some(&["qemu-s390x"]),
     ..GCC
 };
@@ -517,7 +517,7 @@ pub fn target() -> Vec<Toolchain> {
 
 /// Returns other emulated machines, one of them big-endian, optimised.
 pub fn others() -> Vec<Toolchain> {
-    let others = [AARCH64, RISCV64, S390X].into_iter();
+    let others = [AARCH64, RISCV64, S390X].into_iter().chain(machines::RARE);
     others.filter(Toolchain::is_asked_for).collect()
 }
 

@@ -82,6 +82,11 @@ impl Fake {
             ("aarch64-linux-gnu-gcc", "aarch64-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
             ("riscv64-linux-gnu-gcc", "riscv64-linux-gnu-gcc (Debian 12.2.0-13) 12.2.0"),
             ("s390x-linux-gnu-gcc", "s390x-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
+            ("alpha-linux-gnu-gcc", "alpha-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
+            ("hppa-linux-gnu-gcc", "hppa-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
+            ("sparc64-linux-gnu-gcc", "sparc64-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
+            ("mips-linux-gnu-gcc", "mips-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
+            ("powerpc-linux-gnu-gcc", "powerpc-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
         ] {
             fake = fake.with(compiler, answer);
             fake.headers.insert(compiler);
@@ -95,6 +100,11 @@ impl Fake {
             ("cppcheck", "Cppcheck 2.10"),
             ("chromium", "Chromium 150.0.1 built on Debian GNU/Linux 12 (bookworm)"),
             ("qemu-s390x", "qemu-s390x version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
+            ("qemu-alpha", "qemu-alpha version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
+            ("qemu-hppa", "qemu-hppa version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
+            ("qemu-sparc64", "qemu-sparc64 version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
+            ("qemu-mips", "qemu-mips version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
+            ("qemu-ppc", "qemu-ppc version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
         ] {
             fake = fake.with(emulator, answer);
         }
@@ -263,6 +273,21 @@ qemu-riscv64             7.2.22        test --full        runs it
 s390x-linux-gnu-gcc      12.2.0        test --full        compiles the emitted C for s390x, which is big-endian
 s390x C library          found         test --full        headers and libraries for the above
 qemu-s390x               7.2.22        test --full        runs it
+alpha-linux-gnu-gcc      12.2.0        test --full        compiles the emitted C for Alpha
+alpha C library          found         test --full        headers and libraries for the above
+qemu-alpha               7.2.22        test --full        runs it
+hppa-linux-gnu-gcc       12.2.0        test --full        compiles the emitted C for PA-RISC
+hppa C library           found         test --full        headers and libraries for the above
+qemu-hppa                7.2.22        test --full        runs it
+sparc64-linux-gnu-gcc    12.2.0        test --full        compiles the emitted C for SPARC of 64 bits
+sparc64 C library        found         test --full        headers and libraries for the above
+qemu-sparc64             7.2.22        test --full        runs it
+mips-linux-gnu-gcc       12.2.0        test --full        compiles the emitted C for MIPS
+mips C library           found         test --full        headers and libraries for the above
+qemu-mips                7.2.22        test --full        runs it
+powerpc-linux-gnu-gcc    12.2.0        test --full        compiles the emitted C for PowerPC
+powerpc C library        found         test --full        headers and libraries for the above
+qemu-ppc                 7.2.22        test --full        runs it
 chromium                 150.0.1       test --full        shows the page of the ground station
 pymavlink                found         test --full        the other end of MAVLink
 valgrind                 3.19.0        bench              counts instructions on the host

@@ -193,6 +193,7 @@ const KINDS: &[&[&str]] = &[
     &["gcc-aarch64-linux-gnu", "libc6-dev-arm64-cross", "qemu-user"],
     &["gcc-riscv64-linux-gnu", "libc6-dev-riscv64-cross", "qemu-user"],
     &["gcc-s390x-linux-gnu", "libc6-dev-s390x-cross", "qemu-user"],
+    &["gcc-alpha-linux-gnu", "libc6.1-dev-alpha-cross", "qemu-user"],
 ];
 
 #[test]

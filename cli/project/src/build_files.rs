@@ -79,8 +79,8 @@ target_include_directories({name} PUBLIC
     \"$<BUILD_INTERFACE:${{CMAKE_CURRENT_SOURCE_DIR}}>\"
     \"$<INSTALL_INTERFACE:${{CMAKE_INSTALL_INCLUDEDIR}}/{name}>\")
 # The bits of the Rust: no fused multiplications, no fast mathematics. What is one instruction, such as fabs, is no call, whatever
-# flags of the firmware stand before.
-target_compile_options({name} PRIVATE {flags} -fbuiltin)
+# flags of the firmware stand before. By strict standards gcc computes `float` as `double` on some processors, such as s390x.
+target_compile_options({name} PRIVATE {flags} -fbuiltin $<$<C_COMPILER_ID:GNU>:-fexcess-precision=fast>)
 target_link_libraries({name} PUBLIC m{threads})
 
 # A firmware that takes the folder in says itself what it installs.
@@ -111,8 +111,8 @@ fn make(name: &str, license: &str, options: &Options, sources: &[&str]) -> Strin
 {upper}_FOLDER := $(dir $(lastword $(MAKEFILE_LIST)))
 {upper}_SOURCES := $(addprefix $({upper}_FOLDER), \\\n    {sources})
 # The bits of the Rust: no fused multiplications, no fast mathematics. What is one instruction, such as fabs, is no call, whatever
-# flags of the firmware stand before.
-{upper}_CFLAGS := {flags} -fbuiltin -I$({upper}_FOLDER)
+# flags of the firmware stand before. By strict standards gcc computes `float` as `double` on some processors, such as s390x.
+{upper}_CFLAGS := {flags} -fbuiltin $(if $(findstring clang,$(CC)),,-fexcess-precision=fast) -I$({upper}_FOLDER)
 "
     )
 }

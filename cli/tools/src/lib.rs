@@ -56,6 +56,31 @@ pub const QEMU_AARCH64: Program = program("qemu-aarch64", &["qemu-user"]);
 pub const QEMU_RISCV64: Program = program("qemu-riscv64", &["qemu-user"]);
 /// QEMU for user programs of big-endian s390x.
 pub const QEMU_S390X: Program = program("qemu-s390x", &["qemu-user"]);
+/// Compiles for Alpha.
+pub const ALPHA_GCC: Program =
+    program("alpha-linux-gnu-gcc", &["gcc-alpha-linux-gnu", "libc6.1-dev-alpha-cross"]);
+/// QEMU for user programs of Alpha.
+pub const QEMU_ALPHA: Program = program("qemu-alpha", &["qemu-user"]);
+/// Compiles for PA-RISC.
+pub const HPPA_GCC: Program =
+    program("hppa-linux-gnu-gcc", &["gcc-hppa-linux-gnu", "libc6-dev-hppa-cross"]);
+/// QEMU for user programs of PA-RISC.
+pub const QEMU_HPPA: Program = program("qemu-hppa", &["qemu-user"]);
+/// Compiles for SPARC of 64 bits.
+pub const SPARC64_GCC: Program =
+    program("sparc64-linux-gnu-gcc", &["gcc-sparc64-linux-gnu", "libc6-dev-sparc64-cross"]);
+/// QEMU for user programs of SPARC of 64 bits.
+pub const QEMU_SPARC64: Program = program("qemu-sparc64", &["qemu-user"]);
+/// Compiles for MIPS.
+pub const MIPS_GCC: Program =
+    program("mips-linux-gnu-gcc", &["gcc-mips-linux-gnu", "libc6-dev-mips-cross"]);
+/// QEMU for user programs of MIPS.
+pub const QEMU_MIPS: Program = program("qemu-mips", &["qemu-user"]);
+/// Compiles for PowerPC.
+pub const PPC_GCC: Program =
+    program("powerpc-linux-gnu-gcc", &["gcc-powerpc-linux-gnu", "libc6-dev-powerpc-cross"]);
+/// QEMU for user programs of PowerPC.
+pub const QEMU_PPC: Program = program("qemu-ppc", &["qemu-user"]);
 /// Runs whole machines with an ARM.
 pub const QEMU_SYSTEM_ARM: Program = program("qemu-system-arm", &["qemu-system-arm"]);
 /// Runs whole machines with a RISC-V of 32 bits.
@@ -79,6 +104,16 @@ pub const ALL: &[Program] = &[
     QEMU_SYSTEM_RISCV32,
     S390X_GCC,
     QEMU_S390X,
+    ALPHA_GCC,
+    QEMU_ALPHA,
+    HPPA_GCC,
+    QEMU_HPPA,
+    SPARC64_GCC,
+    QEMU_SPARC64,
+    MIPS_GCC,
+    QEMU_MIPS,
+    PPC_GCC,
+    QEMU_PPC,
 ];
 
 /// A program that is needed does not run here.

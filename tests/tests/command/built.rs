@@ -54,6 +54,16 @@ pub fn by_cmake_and_make(package: &Path) {
     fs::create_dir_all(&folder).expect("a folder");
     if toolchain::is_asked_for("make") {
         compilers().iter().for_each(|it| made(&folder, it));
+        // The compilers of the other targets of `verify`, as far as they are installed: that of s390x needs a flag.
+        let targets = [
+            toolchain::CORTEX_M4F,
+            toolchain::CORTEX_M7,
+            toolchain::AARCH64,
+            toolchain::RISCV32,
+            toolchain::RISCV64,
+            toolchain::S390X,
+        ];
+        targets.iter().filter(|it| it.is_there()).for_each(|it| made(&folder, it));
     } else {
         println!("left out: make is not installed");
     }
@@ -75,7 +85,9 @@ fn made(folder: &Path, compiler: &Toolchain) {
     fs::write(folder.join("Makefile"), make).expect("a file");
     let mut command = Command::new("make");
     command.args(["--silent", "--always-make"]).arg(format!("CC={}", compiler.compiler));
-    command.arg(format!("CFLAGS=-O2 {}", compiler.machine.join(" ")));
+    let machine = compiler.machine.iter().filter(|it| !it.starts_with("-fexcess"));
+    let machine = machine.copied().collect::<Vec<_>>().join(" ");
+    command.arg(format!("CFLAGS=-O2 {machine}"));
     run(command.current_dir(folder));
     prints_the_same(compiler, &folder.join("stub"));
 }
