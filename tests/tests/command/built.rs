@@ -54,7 +54,7 @@ pub fn by_cmake_and_make(package: &Path) {
     fs::create_dir_all(&folder).expect("a folder");
     if toolchain::is_asked_for("make") {
         compilers().iter().for_each(|it| made(&folder, it));
-        // The compilers of the other targets of `verify`, as far as they are installed: that of s390x needs a flag.
+        // The compilers of the other targets of `verify`, as far as they are installed; the one of s390x needs a flag.
         let targets = [
             toolchain::CORTEX_M4F,
             toolchain::CORTEX_M7,
