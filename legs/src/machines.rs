@@ -1,4 +1,4 @@
-//! Rare machines under emulation, on which a full run computes the flights, too: their NaN, subnormal numbers or order of
+//! Rare machines under emulation, on which a full run computes the flights, too. Their NaN, subnormal numbers or order of
 //! bytes differ from the common ones.
 //!
 //! Invariant: only data.
