@@ -150,11 +150,11 @@ fn gate(module: &Module) -> Result<(), Vec<Diagnostic>> {
             validate::Problem::NestedTooDeep => "give parts of it names, or functions of their own",
             _ => OUR_FAULT,
         };
-        let told = |error: &validate::Error| Diagnostic {
+        let reported = |error: &validate::Error| Diagnostic {
             help: help(&error.problem).to_owned(),
             ..place(module, error.span, &error.problem)
         };
-        errors.iter().map(told).collect()
+        errors.iter().map(reported).collect()
     })
 }
 
@@ -190,7 +190,7 @@ fn too_wide(module: &Module, entry: &EntryReport) -> Vec<Diagnostic> {
     if !function.attributes.single {
         return Vec::new();
     }
-    let told = |site: &Site| {
+    let reported = |site: &Site| {
         let callee = site.through.map(|id| &module.functions[id.index()]);
         let what = match (site.width, callee) {
             (Width::Double, None) => "this is computed in double".to_owned(),
@@ -217,7 +217,7 @@ fn too_wide(module: &Module, entry: &EntryReport) -> Vec<Diagnostic> {
     // A line is reported once.
     let mut sites: Vec<&Site> = entry.wide.iter().collect();
     sites.dedup_by_key(|site| (site.span.file, site.span.line));
-    sites.into_iter().map(told).collect()
+    sites.into_iter().map(reported).collect()
 }
 
 /// Returns a remedy that prevents a fault.

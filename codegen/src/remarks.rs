@@ -16,9 +16,9 @@ const FEW: usize = 8;
 
 /// Returns the remarks on a package that became `module`, in the order of the source.
 pub fn of(package: &Package, module: &Module) -> Vec<Diagnostic> {
-    let mut told: Vec<Diagnostic> = templates(package).collect();
+    let mut reported: Vec<Diagnostic> = templates(package).collect();
     let idle: Vec<&tree::Definition> = idle(package).collect();
-    told.extend(idle.iter().map(|it| {
+    reported.extend(idle.iter().map(|it| {
         warning(
             &it.file,
             it.site,
@@ -26,10 +26,10 @@ pub fn of(package: &Package, module: &Module) -> Vec<Diagnostic> {
             "write `#[entry]` above the method that is called once per period; what is only part of others is `#[data]`",
         )
     }));
-    told.extend(uncalled(module, &idle));
-    told.extend(repeated(module));
-    told.sort_by(|one, other| (&one.file, one.line).cmp(&(&other.file, other.line)));
-    told
+    reported.extend(uncalled(module, &idle));
+    reported.extend(repeated(module));
+    reported.sort_by(|one, other| (&one.file, one.line).cmp(&(&other.file, other.line)));
+    reported
 }
 
 /// Returns the reasons why a package yields no C at all, though something in it is marked.

@@ -13,7 +13,7 @@ mod output;
 mod package;
 mod program;
 mod report;
-mod told;
+mod reported;
 mod workspace;
 
 use crate::compile::{self, Compiled};

@@ -13,7 +13,7 @@ use serde_json::Value;
 use super::error::Error;
 use super::job::Job;
 use super::program::{self, Built, Program};
-use super::told;
+use super::reported;
 use super::workspace::{Workspace, cargo, program as cargo_program};
 use crate::deep;
 use bessemer_frontend::diagnostic::{Diagnostic, Level, Told};
@@ -72,7 +72,7 @@ pub(super) fn tree(job: &Job, workspace: &Workspace, sources: &Sources) -> Resul
         }
         if !printed.success {
             return Err(match panicked(&printed.error, sources) {
-                Some(told) => Error::Refused(Told::new(vec![told], sources, job.colour)),
+                Some(reported) => Error::Refused(Told::new(vec![reported], sources, job.colour)),
                 None => failed(printed.error),
             });
         }
@@ -173,7 +173,7 @@ fn build(
     let text = String::from_utf8_lossy(&output.stdout);
     let messages: Vec<Value> =
         text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
-    let said = told::told(&messages, sources);
+    let said = reported::reported(&messages, sources);
     if output.status.success() {
         return Ok((Built::of(&messages), said));
     }

@@ -1,12 +1,12 @@
-//! The only gate: what [`validate()`] lets through, passes, interpreter and back ends may assume.
+//! Validation of a module. Passes, interpreter and back ends rely on these rules, which [`validate()`] checks.
 //!
 //! **Definitions**
 //! * Every handle is in range; a struct's fields refer to earlier structs only; a call names an earlier
-//!   function, so nothing recurses. A span that stands somewhere names a file of the module.
+//!   function, so nothing recurses. Every span names a file of the module.
 //! * Every type has between 1 and [`MAX_WORDS`] words: no empty struct, enum, array or matrix. `Unit` is
-//!   nothing but the result of a function. Types nest at most [`MAX_NESTING`] deep.
-//! * A function that represents a kernel has the face of [`Kernel::function`] and no body; it may take one
-//!   more parameter, by which its caller lends it memory.
+//!   used only as the result of a function. Types nest at most [`MAX_NESTING`] deep.
+//! * A function that represents a kernel has the signature of [`Kernel::function`] and no body; it may have one
+//!   more parameter, by which its caller passes memory.
 //! * Fields of one struct, and variants of one enum, have different names.
 //! * A constant, and the initial state of a component, has exactly the words of its type, each a value of
 //!   its leaf. (`bool` 0 or 1; integers in range; enums below the number of variants; `f32` in 32 bits.)
@@ -14,9 +14,9 @@
 //!
 //! **Statements**
 //! * A local is declared (by a parameter, a `let`, a `for`) at most once in its function, before its use
-//!   and in a block around it, and has been assigned on every path to a use. Part of a value is assigned,
-//!   or lent, only when the whole has been.
-//! * Nothing is assigned or lent mutably through a `Ref` parameter, nor the variable of a loop.
+//!   and in a block around it, and has been assigned on every path to a use. A part of a value is assigned,
+//!   or passed by reference, only after the whole has been assigned.
+//! * Nothing is assigned or passed by mutable reference through a `Ref` parameter; neither is the variable of a loop.
 //! * Conditions are `bool`. A `Check` has a condition without calls.
 //! * A `match` is on an integer or an enum; its values are in range, distinct, at least one to an arm;
 //!   it has an `otherwise`, or names every variant.
@@ -41,10 +41,10 @@
 //!   array with its element type or a matrix with its scalar.
 //! * Routines take matrices of floats (`Transpose`: of anything) of shapes that fit; `Scale` and
 //!   `Unscale` a scalar second; `Cross` two of 3×1 or two of 1×3.
-//! * A call passes what the parameters' modes and types request. What one argument lends mutably
-//!   overlaps nothing that another argument of the call lends, and nothing that a call inside a later
-//!   argument writes is lent by an earlier one. (By-value arguments may read it: they are copies.)
-//! * Blocks nest at most [`MAX_BLOCKS`] deep and operands [`MAX_HEIGHT`], so that whatever walks them may recurse, on a stack
+//! * A call passes what the parameters' modes and types request. A place passed by mutable reference
+//!   does not overlap a place that another argument passes by reference. A call inside a later argument does not write
+//!   to a place that an earlier one passes by reference. (By-value arguments may read it: they are copies.)
+//! * Blocks nest at most [`MAX_BLOCKS`] deep and operands [`MAX_HEIGHT`], so that recursive functions can process them on a stack
 //!   of [`deep`](crate::deep). The text form has less of both.
 //!
 //! Absent: anything that changes a module; anything that knows C.

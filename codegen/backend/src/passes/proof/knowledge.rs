@@ -52,7 +52,7 @@ pub(super) struct Knowledge {
     forms: Facts<Linear>,
     /// Clauses: of each, at least one alternative is true.
     clauses: Facts<Vec<Formula>>,
-    /// Nothing is here: what is known contradicts itself.
+    /// True if the point is unreachable: the facts contradict each other.
     pub(super) dead: bool,
 }
 

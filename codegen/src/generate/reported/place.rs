@@ -8,7 +8,7 @@ use bessemer_frontend::source::Sources;
 
 /// Moves a diagnostic about the type `name` from `mark` to the name. A declaration in the same file is added as a
 /// second place.
-pub fn of_type(told: Diagnostic, name: &str, mark: &Mark<'_>, sources: &Sources) -> Diagnostic {
+pub fn of_type(reported: Diagnostic, name: &str, mark: &Mark<'_>, sources: &Sources) -> Diagnostic {
     let lines = match mark.is_attribute() {
         true => Item::below(mark, sources).lines(),
         false => mark.start.0..=mark.start.0,
@@ -17,17 +17,17 @@ pub fn of_type(told: Diagnostic, name: &str, mark: &Mark<'_>, sources: &Sources)
         .filter_map(|line| Some((line, sources.line(mark.file, line)?)))
         .find_map(|(line, text)| Some((line, column(&text, name)?, text)));
     let declared = declaration(name, mark.file, sources);
-    let mut told = told;
+    let mut reported = reported;
     if let Some((line, column, text)) = named {
         let end = column + name.chars().count() as u32;
-        told = Diagnostic { line, column, end: Some((line, end)), ..told };
+        reported = Diagnostic { line, column, end: Some((line, end)), ..reported };
         // The state of a component, rather than something that it holds.
         if text.trim_start().starts_with("impl") && mark.line.contains("component") {
-            told.help = told.help.replace("`#[data]`", "`#[component]`");
+            reported.help = reported.help.replace("`#[data]`", "`#[component]`");
         }
     }
-    told.also.extend(declared.filter(|it| it.start.0 != told.line));
-    told
+    reported.also.extend(declared.filter(|it| it.start.0 != reported.line));
+    reported
 }
 
 /// Returns the declaration of a struct or an enum with this name in a file.

@@ -71,25 +71,25 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
         kept[index] &= !(within || elsewhere || refused_before || said_better || given || known);
     }
     let mut seen = BTreeMap::new();
-    let mut told: Vec<Worded<'m, 'a>> = Vec::new();
+    let mut reported: Vec<Worded<'m, 'a>> = Vec::new();
     for (one, kept) in all.into_iter().zip(kept) {
         if !kept {
             continue;
         }
         match seen.entry(key(&one, sources)) {
             Entry::Vacant(first) => {
-                first.insert(told.len());
-                told.push(one);
+                first.insert(reported.len());
+                reported.push(one);
             }
             Entry::Occupied(first) => {
-                let first = &mut told[*first.get()];
+                let first = &mut reported[*first.get()];
                 if is_of_file(&one) && position(&one) < position(first) {
                     *first = one;
                 }
             }
         }
     }
-    told
+    reported
 }
 
 /// Returns true if an error is reported once for its file. rustc's order of these is unstable; the topmost is reported.

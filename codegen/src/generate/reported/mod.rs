@@ -24,11 +24,11 @@ use rustc::Message;
 use wording::Words;
 
 /// Returns the diagnostics for rustc's messages, which cargo passes on.
-pub fn told(messages: &[Value], sources: &Sources) -> Vec<Diagnostic> {
+pub fn reported(messages: &[Value], sources: &Sources) -> Vec<Diagnostic> {
     let all: Vec<Message<'_>> = messages.iter().filter_map(Message::of).collect();
     let worded = all.iter().map(|message| (message, wording::of(message))).collect();
-    let told = causes::once(worded, sources);
-    told.into_iter().map(|(message, words)| diagnostic(message, words, sources)).collect()
+    let reported = causes::once(worded, sources);
+    reported.into_iter().map(|(message, words)| diagnostic(message, words, sources)).collect()
 }
 
 fn diagnostic(message: &Message<'_>, words: Option<Words>, sources: &Sources) -> Diagnostic {
@@ -44,10 +44,10 @@ fn diagnostic(message: &Message<'_>, words: Option<Words>, sources: &Sources) ->
         ..Diagnostic::default()
     };
     if let Some(words) = words {
-        let told = Diagnostic { message: words.title, help: words.help, ..place };
+        let reported = Diagnostic { message: words.title, help: words.help, ..place };
         return match (words.of_type, mark) {
-            (Some(name), Some(mark)) => place::of_type(told, &name, mark, sources),
-            _ => told,
+            (Some(name), Some(mark)) => place::of_type(reported, &name, mark, sources),
+            _ => reported,
         };
     }
     let help = hints::of(message);

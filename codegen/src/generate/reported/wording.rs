@@ -72,11 +72,11 @@ fn attribute(message: &Message<'_>) -> Option<Words> {
     if !ATTRIBUTES.contains(&name) {
         return None;
     }
-    let told = words(
+    let reported = words(
         "the attributes of the DSL are not in scope",
         "write `use bessemer::prelude::*;` at the head of the file",
     )?;
-    Some(Words { once: Once::File, ..told })
+    Some(Words { once: Once::File, ..reported })
 }
 
 /// Rewords an implementation of a trait that is no interface, so its companions are missing in the trait.
@@ -110,9 +110,9 @@ fn ty(message: &Message<'_>) -> Option<Words> {
     };
     let written = types::written(inner);
     let shown = if declared.is_some() { name } else { types::within_modules(&written) };
-    let mut told = words(format!("`{shown}` is not a type of the DSL"), help)?;
-    told.of_type = Some(name.to_owned());
-    Some(told)
+    let mut reported = words(format!("`{shown}` is not a type of the DSL"), help)?;
+    reported.of_type = Some(name.to_owned());
+    Some(reported)
 }
 
 /// Rewords matrices of different dimensions.

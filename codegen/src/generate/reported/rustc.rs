@@ -124,7 +124,7 @@ impl<'a> Message<'a> {
         let suggested = |child: &Value| {
             child["spans"][0]["suggested_replacement"].as_str().map(|it| it.trim().to_owned())
         };
-        let told = |child: &Value| {
+        let reported = |child: &Value| {
             let text = child["message"].as_str()?;
             if text.contains("trait `") || text.contains("other types") || text.contains('\n') {
                 return None;
@@ -134,7 +134,7 @@ impl<'a> Message<'a> {
                 None => text.to_owned(),
             })
         };
-        self.children().filter(is_own).find_map(told)
+        self.children().filter(is_own).find_map(reported)
     }
 }
 
