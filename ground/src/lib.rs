@@ -13,6 +13,7 @@
 //! | [`recorder`], [`replay`] | a flight as a file, and the C run again from it |
 //! | [`live`], [`player`] | the testbed, or a recording, with the server at its side |
 //! | [`command`] | who commands |
+//! | [`events`] | changes of a flight, in an operator's words |
 //! | [`messages`], [`server`], [`limited`], [`page`] | what the browser is reported and may ask |
 //! | [`tools`] | the same for Foxglove, and over MAVLink |
 //!
@@ -22,6 +23,7 @@ pub mod bench;
 pub mod catalogue;
 pub mod command;
 pub mod ending;
+pub mod events;
 pub mod key;
 pub mod limited;
 pub mod live;

@@ -6,6 +6,7 @@
 use crate::bench::{Period, Timing};
 use crate::catalogue::{PAGE_SIGNALS, SIGNALS, parameters};
 use crate::command::Seat;
+use crate::events::{self, Event, Severity, Sight, Watch};
 use crate::messages::{Ask, Point, Recording, State, Tell};
 use crate::radio::Quality;
 use crate::recorder::{Recorder, Unwritable};
@@ -40,6 +41,9 @@ pub struct Live {
     folder: PathBuf,
     files: u32,
     tools: Vec<(Box<dyn Tool>, Seat)>,
+    watch: Watch,
+    /// Events that have not been reported yet.
+    events: Vec<Event>,
 }
 
 /// Creates the queue for requests of pages.
@@ -102,7 +106,20 @@ impl Live {
         let recorded = Recording::default();
         let tools = Vec::new();
         let (recorder, failed) = (None, None);
-        Self { testbed, hub, asked, recorder, recorded, failed, folder, files: 0, tools }
+        let (watch, events) = (Watch::default(), Vec::new());
+        Self {
+            testbed,
+            hub,
+            asked,
+            recorder,
+            recorded,
+            failed,
+            folder,
+            files: 0,
+            tools,
+            watch,
+            events,
+        }
     }
 
     /// Adds an external tool.
@@ -150,10 +167,19 @@ impl Live {
             tool.tell(&self.testbed, &done, &news);
         }
         while let Some((order, outcome)) = self.testbed.station.outcomes.pop_front() {
+            if let Some((severity, text)) = events::outcome(&order, &outcome) {
+                self.note(severity, text);
+            }
             self.hub.tell(&Tell::Outcome { order, outcome });
         }
+        self.events.extend(self.watch.look(&Sight::of(&self.testbed, &done)));
+        let events = std::mem::take(&mut self.events);
+        for event in &events {
+            self.hub.log(event);
+            self.tools.iter_mut().for_each(|(tool, _)| tool.report(event));
+        }
         if let Some(recorder) = &mut self.recorder {
-            recorder.take(&done);
+            recorder.take(&done, events);
         }
         if done.number.is_multiple_of(STATE_EVERY) {
             let state = self.state();
@@ -187,6 +213,12 @@ impl Live {
     /// Returns the statistics of the period's timing.
     pub fn timing(&self) -> Timing {
         self.testbed.bench.timing
+    }
+
+    /// Adds an event at the present time.
+    fn note(&mut self, severity: Severity, text: impl Into<String>) {
+        let time = self.testbed.now();
+        self.events.push(Event { time, severity, text: text.into() });
     }
 
     fn frame(&self, record: &Record) -> Tell {
@@ -231,6 +263,16 @@ impl Live {
     /// Executes a request of a page. Its sender has been checked; its content has not.
     fn obey(&mut self, ask: Ask) {
         let now = self.testbed.now();
+        match &ask {
+            Ask::Land => self.watch.land(),
+            Ask::Kill => self.note(Severity::Info, "fault injection: onboard software stopped"),
+            Ask::Inject { injection } => {
+                if let Some(text) = events::injected(injection) {
+                    self.note(Severity::Info, text);
+                }
+            }
+            _ => {}
+        }
         let station = &mut self.testbed.station;
         match ask {
             Ask::Claim { .. } | Ask::Release | Ask::Ping { .. } => {}

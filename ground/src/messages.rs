@@ -4,6 +4,7 @@
 
 use crate::bench::{Injection, Timing};
 use crate::catalogue::{Parameter, Signal};
+use crate::events::Event;
 use crate::radio::Counts;
 use crate::station::{Down, Outcome};
 use models::receiver::Mode;
@@ -181,6 +182,8 @@ pub enum Tell {
         /// True state of the simulated aircraft: x, y, z, roll, pitch, yaw.
         truth: [f32; 6],
     },
+    /// An event of the flight.
+    Event(Event),
     /// State of the testbed.
     State(Box<State>),
     /// Position of the player in a recorded flight.

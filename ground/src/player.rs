@@ -5,9 +5,10 @@
 
 use crate::bench::Worked;
 use crate::catalogue::SIGNALS;
+use crate::events::Event;
 use crate::messages::{Ask, Playing, Tell};
 use crate::recorded::Recorded;
-use crate::recorder::{STEPS, step};
+use crate::recorder::{EVENTS, STEPS, event, step};
 use crate::replay::Error;
 use crate::server::Hub;
 use models::onboard::signals;
@@ -56,7 +57,8 @@ impl Player {
     ///
     /// The recording cannot be read, or has nothing to show.
     pub fn open(path: &Path, hub: Arc<Hub>, asked: Receiver<Ask>) -> Result<Self, Error> {
-        let (frames, missing) = read(path)?;
+        let Read { frames, events, missing } = read(path)?;
+        events.iter().for_each(|event| hub.log(event));
         let nothing = || match missing {
             Some(_) => Error::Cut { path: path.to_owned() },
             None => Error::Empty { path: path.to_owned() },
@@ -109,11 +111,19 @@ impl Player {
     }
 }
 
-/// Reads the frames of a recording, and the number of bytes missing at its end.
-fn read(path: &Path) -> Result<(Vec<Frame>, Option<usize>), Error> {
+/// Contents of a recording.
+struct Read {
+    frames: Vec<Frame>,
+    events: Vec<Event>,
+    /// Number of missing bytes of a truncated recording.
+    missing: Option<usize>,
+}
+
+/// Reads a recording.
+fn read(path: &Path) -> Result<Read, Error> {
     let recorded = Recorded::read(path)?;
     let broken = |source| Error::Mcap { path: path.to_owned(), source };
-    let (mut frames, mut truth) = (Vec::new(), [f32::NAN; 6]);
+    let (mut frames, mut events, mut truth) = (Vec::new(), Vec::new(), [f32::NAN; 6]);
     for message in recorded.messages().map_err(broken)? {
         let message = message.map_err(|source| Error::Mcap { path: path.to_owned(), source })?;
         match message.channel.topic.as_str() {
@@ -126,10 +136,11 @@ fn read(path: &Path) -> Result<(Vec<Frame>, Option<usize>), Error> {
                     frames.push(Frame { time, tell: frame(&worked, truth) });
                 }
             }
+            EVENTS => events.extend(event(&message.data)),
             _ => {}
         }
     }
-    Ok((frames, recorded.missing))
+    Ok(Read { frames, events, missing: recorded.missing })
 }
 
 /// Returns the message of a step with every signal.

@@ -6,6 +6,7 @@
 //! error, and the flight continues. In virtual time the flight waits for the disk.
 
 use crate::bench::{Period, Worked};
+use crate::events::{Event, Severity};
 use crate::messages::Recording;
 use crate::priority;
 use bessemer_legs::{value, words};
@@ -23,6 +24,9 @@ use std::thread::JoinHandle;
 
 /// The topic of the software's steps.
 pub const STEPS: &str = "/steps";
+
+/// The topic of events, which Foxglove shows as a log.
+pub const EVENTS: &str = "/events";
 
 /// The topic of the software's memory.
 pub const IMAGE: &str = "/image";
@@ -45,6 +49,7 @@ pub struct Unwritable {
 struct Page {
     shown: Option<Moment>,
     worked: Vec<(f64, Worked)>,
+    events: Vec<(f64, Event)>,
 }
 
 /// A recording that is being made.
@@ -88,13 +93,14 @@ impl Recorder {
         &self.path
     }
 
-    /// Records a period; does nothing if the recording has ended.
-    pub fn take(&mut self, done: &Period) {
+    /// Hands over a period and its events; does nothing if the recording has ended.
+    pub fn take(&mut self, done: &Period, events: Vec<Event>) {
         let time = done.moment.time;
         let shown = is_shown(done).then(|| done.moment.clone());
         let worked = done.worked().map(|worked| (time, worked)).collect();
         let Some(pages) = &self.pages else { return };
-        let page = Page { shown, worked };
+        let events = events.into_iter().map(|event| (time, event)).collect();
+        let page = Page { shown, worked, events };
         let sent = match self.waits {
             true => pages.send(page).map_err(|SendError(page)| TrySendError::Disconnected(page)),
             false => pages.try_send(page),
@@ -184,10 +190,11 @@ fn write(
     let mut writer = Writer::new(file, &about)?;
     writer.raw(STEPS, "words", "u64: steps since the software began, inputs, outputs")?;
     writer.raw(IMAGE, "image", "the memory of the program that /steps are of")?;
+    writer.json(EVENTS, "foxglove.Log", LOG)?;
     if let Some(image) = image {
         writer.bytes(IMAGE, 0.0, image)?;
     }
-    while let Ok(Page { shown, worked }) = pages.recv() {
+    while let Ok(Page { shown, worked, events }) = pages.recv() {
         if let Some(moment) = shown {
             writer.moment(&moment)?;
         }
@@ -195,9 +202,43 @@ fn write(
             let all = [vec![worked.count], words(&worked.inputs), words(&worked.outputs)].concat();
             writer.bytes(STEPS, time, &crate::bench::bytes(&all))?;
         }
+        for (time, event) in events {
+            writer.bytes(EVENTS, time, log(&event).to_string().as_bytes())?;
+        }
     }
     writer.finish()?;
     Ok(())
+}
+
+/// JSON schema of `foxglove.Log`.
+const LOG: &str = r#"{"type":"object","properties":{"timestamp":{"type":"object","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},"level":{"type":"integer"},"message":{"type":"string"},"name":{"type":"string"},"file":{"type":"string"},"line":{"type":"integer"}}}"#;
+
+/// Returns an event as a `foxglove.Log`, whose levels are 2 for information, 3 for a warning, 5 for a fatal error.
+fn log(event: &Event) -> serde_json::Value {
+    let level = match event.severity {
+        Severity::Info => 2,
+        Severity::Warning => 3,
+        Severity::Critical => 5,
+    };
+    let nanoseconds = (event.time * 1e9) as u64;
+    let (sec, nsec) = (nanoseconds / 1_000_000_000, nanoseconds % 1_000_000_000);
+    let timestamp = serde_json::json!({ "sec": sec, "nsec": nsec });
+    serde_json::json!({
+        "timestamp": timestamp, "level": level, "message": event.text, "name": "flight", "file": "", "line": 0,
+    })
+}
+
+/// Returns the event of a message of the topic [`EVENTS`]; none for any other bytes.
+pub fn event(bytes: &[u8]) -> Option<Event> {
+    let log: serde_json::Value = serde_json::from_slice(bytes).ok()?;
+    let severity = match log["level"].as_u64()? {
+        0..=2 => Severity::Info,
+        3 => Severity::Warning,
+        _ => Severity::Critical,
+    };
+    let part = |name: &str| log["timestamp"][name].as_f64();
+    let time = part("sec")? + part("nsec")? * 1e-9;
+    Some(Event { time, severity, text: log["message"].as_str()?.to_owned() })
 }
 
 /// Parses a recorded step of the software; `None` if the bytes are not one.

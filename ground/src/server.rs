@@ -10,6 +10,7 @@
 //! Knows messages, but not their effects.
 
 use crate::command::{Command, Seat};
+use crate::events::Event;
 use crate::limited::Limited;
 use crate::messages::{Ask, Tell};
 use crate::page;
@@ -19,6 +20,7 @@ use axum::extract::{Path, State};
 use axum::http::{HeaderMap, StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
+use std::collections::VecDeque;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
@@ -35,6 +37,9 @@ const MOST_CONNECTIONS: usize = 512;
 
 /// The most pages among them: the others are for files.
 const MOST_PAGES: usize = 256;
+
+/// Events that a page receives when it opens.
+const MOST_EVENTS: usize = 200;
 
 /// The longest message that a page may send, bytes.
 const LONGEST: usize = 16 * 1024;
@@ -56,6 +61,8 @@ pub struct Hub {
     stop: AtomicBool,
     /// The last recording.
     recording: Mutex<Option<PathBuf>>,
+    /// Number of all events, and the last of them as messages.
+    events: Mutex<(usize, VecDeque<Utf8Bytes>)>,
 }
 
 impl Hub {
@@ -77,6 +84,7 @@ impl Hub {
             skipped: AtomicU64::new(0),
             stop: AtomicBool::new(false),
             recording: Mutex::new(None),
+            events: Mutex::default(),
         }))
     }
 
@@ -93,7 +101,28 @@ impl Hub {
         }
     }
 
-    /// Returns the number of connected pages.
+    /// Keeps an event for every page: each receives it with its next message, however slowly it reads.
+    pub fn log(&self, event: &Event) {
+        if let Ok(mut events) = self.events.lock() {
+            let (count, last) = &mut *events;
+            *count += 1;
+            last.push_back(text(&Tell::Event(event.clone())).into());
+            if last.len() > MOST_EVENTS {
+                last.pop_front();
+            }
+        }
+    }
+
+    /// Returns the events after the first `seen`, and notes them there.
+    fn events(&self, seen: &mut usize) -> Vec<Utf8Bytes> {
+        let Ok(events) = self.events.lock() else { return Vec::new() };
+        let (count, last) = &*events;
+        let new = last.iter().skip(last.len().saturating_sub(count.saturating_sub(*seen)));
+        *seen = *count;
+        new.cloned().collect()
+    }
+
+    /// Pages that look on.
     pub fn pages(&self) -> usize {
         self.pages.load(Ordering::Relaxed)
     }
@@ -239,11 +268,22 @@ fn is_local_name(host: &str) -> bool {
 async fn attend(mut socket: WebSocket, hub: &Hub) {
     let seat = hub.seat();
     let mut news = hub.told.subscribe();
-    let mut trusted = false;
+    let (mut trusted, mut held, mut seen) = (false, false, 0);
     if socket.send(Message::Text(hub.hello.clone().into())).await.is_err() {
         return;
     }
     loop {
+        let mut messages = hub.events(&mut seen);
+        if held && seat.is_taken() {
+            let reason = "another client has taken command";
+            messages.push(text(&Tell::Command { granted: false, reason }).into());
+        }
+        held = seat.holds();
+        for message in messages {
+            if socket.send(Message::Text(message)).await.is_err() {
+                return;
+            }
+        }
         tokio::select! {
             told = news.recv() => match told {
                 Ok(message) => {

@@ -415,7 +415,7 @@ fn the_c_runs_again_from_a_recording_to_the_bit() {
     let mut recorder = recorder(&path, Some(image));
     testbed.station.order(12.0, Order::Set(0, 2.0));
     testbed
-        .run_until(15.0, |done, _| recorder.take(done))
+        .run_until(15.0, |done, _| recorder.take(done, Vec::new()))
         .unwrap_or_else(|error| panic!("{error}"));
     let state = recorder.finish();
     assert_eq!((state.error, state.periods), (None, 600));
@@ -435,7 +435,9 @@ fn the_key_is_in_no_log() {
     let mut testbed = testbed(Wanted { key: Some(key.clone()), ..Wanted::default() });
     let image = testbed.image().expect("the bus").expect("it answers");
     let mut recorder = recorder(&path, Some(image));
-    testbed.run_until(2.0, |done, _| recorder.take(done)).unwrap_or_else(|error| panic!("{error}"));
+    testbed
+        .run_until(2.0, |done, _| recorder.take(done, Vec::new()))
+        .unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(recorder.finish().error, None);
 
     // What is printed of it, what others can see of the software's process, and what a recording holds uncompressed.
@@ -490,7 +492,7 @@ fn recorded(path: &Path, changed: Option<u64>) {
             let motor = &mut done.moment.outputs.command.motors[2];
             *motor = f64::from_bits(motor.to_bits() ^ 1);
         }
-        recorder.take(&done);
+        recorder.take(&done, Vec::new());
     });
     run.unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(recorder.finish().error, None);
@@ -552,7 +554,9 @@ fn a_bare_zynq_takes_off_with_the_bits_of_this_machine() {
     let path = folder.path().join("flight.mcap");
     let image = there.image().expect("the bus").expect("it answers");
     let mut recorder = recorder(&path, Some(image));
-    there.run_until(3.5, |done, _| recorder.take(done)).unwrap_or_else(|error| panic!("{error}"));
+    there
+        .run_until(3.5, |done, _| recorder.take(done, Vec::new()))
+        .unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(recorder.finish().error, None);
     let report = ground::replay::replay(&program, &path).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!((report.steps, report.difference), (100, None));

@@ -307,7 +307,7 @@ fn played(path: &std::path::Path) -> String {
     let mut testbed = Testbed::start(&program, &wanted).unwrap_or_else(|error| panic!("{error}"));
     let mut recorder = ground::recorder::Recorder::start(path.to_owned(), None, true)
         .unwrap_or_else(|error| panic!("{error}"));
-    let run = testbed.run_until(2.0, |done, _| recorder.take(done));
+    let run = testbed.run_until(2.0, |done, _| recorder.take(done, Vec::new()));
     run.unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(recorder.finish().error, None);
 

@@ -125,7 +125,7 @@ fn recorded(folder: &Path) -> PathBuf {
     let mut testbed = Testbed::start(&built(), &wanted).unwrap_or_else(|error| panic!("{error}"));
     let recorder = Recorder::start(path.clone(), None, true);
     let mut recorder = recorder.unwrap_or_else(|error| panic!("{error}"));
-    let run = testbed.run_until(6.0, |done, _| recorder.take(done));
+    let run = testbed.run_until(6.0, |done, _| recorder.take(done, Vec::new()));
     run.unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(recorder.finish().error, None);
     path

@@ -62,6 +62,8 @@ struct Page {
     socket: WebSocket<TcpStream>,
     /// First message to it: with that it receives all later messages to every page.
     hello: Value,
+    /// Texts of the events that it has received.
+    events: Vec<String>,
 }
 
 /// A page with an `Origin`; or the status with which it is turned away, if there is one.
@@ -74,7 +76,7 @@ fn page_from(address: SocketAddr, origin: Option<&str>) -> Result<Page, Option<u
     match tungstenite::client(request, stream) {
         Ok((socket, _)) => {
             socket.get_ref().set_read_timeout(Some(LIMIT)).expect("a socket has a limit");
-            let mut page = Page { socket, hello: Value::Null };
+            let mut page = Page { socket, hello: Value::Null, events: Vec::new() };
             page.hello = page.hear("hello");
             Ok(page)
         }
@@ -108,6 +110,9 @@ impl Page {
             };
             let message: Value =
                 serde_json::from_str(heard.to_text().expect("it is text")).expect("it is JSON");
+            if message["type"] == "event" {
+                self.events.push(message["text"].as_str().expect("it has a text").to_owned());
+            }
             if message["type"] == kind {
                 return message;
             }
@@ -207,6 +212,8 @@ fn one_page_commands_and_any_with_the_token_stops() {
     other.settle();
     served.until("stopped", |testbed| testbed.station.signal(35) == 1.0);
     assert!(other.claim(&token, true), "taken away");
+    served.until("a frame", |testbed| testbed.now() > 3.0);
+    assert_eq!(one.hear("command")["reason"], "another client has taken command");
     one.ask(&json!({ "type": "arm" }));
     assert_eq!(one.hear("refused")["reason"], "this page does not command");
     // Whoever leaves, commands no more.
@@ -402,6 +409,65 @@ fn a_flight_that_is_over_is_shown_again() {
     page.settle();
     player.step(0.0);
     assert_eq!(page.hear("refused")["reason"], "a flight that is over takes no orders");
+}
+
+#[test]
+fn what_happens_to_the_aircraft_is_an_event_for_pages_and_recordings() {
+    let mut served = served();
+    let path = served.folder.path().join("events.mcap");
+    served.live.record(path.clone()).expect("it can be written");
+    let mut page = Page::open(&served);
+    assert!(page.claim(served.hub.token(), false));
+    page.ask(
+        &json!({ "type": "fly", "points": [{ "time": 0, "x": 0, "y": 0, "z": 1, "yaw": 0 }] }),
+    );
+    page.ask(&json!({ "type": "arm" }));
+    page.settle();
+    served.until("ready", |testbed| testbed.now() > 1.5);
+    page.ask(&json!({ "type": "take_off" }));
+    page.settle();
+    served.until("in the air", |testbed| height(testbed) > 0.9);
+    page.ask(&json!({ "type": "inject", "injection": { "what": "vicon", "away": true } }));
+    page.settle();
+    let now = served.live.testbed.now();
+    served.until("without motion capture", |testbed| testbed.now() > now + 1.0);
+    page.ask(&json!({ "type": "inject", "injection": { "what": "vicon", "away": false } }));
+    page.ask(&json!({ "type": "inject", "injection": { "what": "motor", "number": 0 } }));
+    page.settle();
+    served.until("down", |testbed| height(testbed) == 0.0);
+    page.ask(&json!({ "type": "kill" }));
+    page.settle();
+    served.until("again", |testbed| testbed.restarts == 1);
+    served.live.step().unwrap_or_else(|error| panic!("{error}"));
+    served.live.save();
+
+    let expected = [
+        "take-off",
+        "flight",
+        "fault injection: motion capture lost",
+        "motion capture lost",
+        "fault injection: motor 1 stopped",
+        "motion capture back after",
+        "alarm: ",
+        "crash: hit the ground at",
+        "fault injection: onboard software stopped",
+        "the onboard software ended and was restarted",
+    ];
+    // The page that looked on, one that opens later, and one that looks at the recording.
+    let (requests, queue) = live::queue();
+    let hub = Hub::new(requests, &live::hello(false)).expect("random bytes");
+    let _player = Player::open(&path, hub.clone(), queue).expect("a recording");
+    let replayed = server::start(([127, 0, 0, 1], 0).into(), hub).expect("a port");
+    let replayed = page_from(replayed, None).unwrap_or_else(|status| panic!("{status:?}"));
+    for mut page in [page, Page::open(&served), replayed] {
+        // Events follow the next message.
+        page.settle();
+        page.settle();
+        let mut events = page.events.iter();
+        for text in expected {
+            assert!(events.any(|event| event.contains(text)), "{text}: {:?}", page.events);
+        }
+    }
 }
 
 #[test]

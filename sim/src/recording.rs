@@ -121,7 +121,18 @@ impl<W: Write + Seek> Writer<W> {
         Ok(())
     }
 
-    /// Writes a period to every topic.
+    /// Adds a topic of JSON messages with this schema, written by [`bytes`](Writer::bytes).
+    ///
+    /// # Errors
+    /// What the writer said.
+    pub fn json(&mut self, topic: &str, name: &str, schema: &str) -> Result<(), mcap::McapError> {
+        let schema = self.writer.add_schema(name, "jsonschema", schema.as_bytes())?;
+        let channel = self.writer.add_channel(schema, topic, "json", &BTreeMap::new())?;
+        self.raw.insert(topic.to_owned(), channel);
+        Ok(())
+    }
+
+    /// Writes a moment to every topic.
     ///
     /// # Errors
     ///

@@ -10,6 +10,7 @@ pub mod mavlink;
 
 use crate::bench::Period;
 use crate::command::Seat;
+use crate::events::Event;
 use crate::messages::Ask;
 use crate::testbed::Testbed;
 use sim::ground_station::News;
@@ -26,6 +27,9 @@ pub trait Tool {
     fn refused(&self) -> u64 {
         0
     }
+
+    /// Reports an event of the flight.
+    fn report(&mut self, _event: &Event) {}
 
     /// Tells it what a period came to.
     fn tell(&mut self, testbed: &Testbed, done: &Period, news: &[News]);

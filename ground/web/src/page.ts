@@ -6,7 +6,7 @@ import { History } from "./history";
 import { Plan } from "./plan";
 import { Plots } from "./plots";
 import { ALARM, CLOSED_LOOP, FEED_FORWARD, PHASE, TAKEN, WANTED, X, Y, Z } from "./protocol";
-import type { Ask, Frame, Hello, Playing, Point, State, Tell } from "./protocol";
+import type { Ask, Frame, Happened, Hello, Playing, Point, State, Tell } from "./protocol";
 import { Scene } from "./scene";
 import { Socket } from "./socket";
 import { pilot } from "./sticks";
@@ -65,7 +65,9 @@ function take(tell: Tell): void {
     case "state": return state(tell);
     case "playing": return playing(tell);
     case "command": return granted(tell.granted, tell.reason);
-    case "outcome": return say(`${tell.order}: ${{ done: "done", given_up: "nothing shows that it was carried out", refused: "refused" }[tell.outcome]}`, tell.outcome !== "done");
+    // One that failed is an event, too.
+    case "outcome": return tell.outcome === "done" ? say(`${tell.order}: done`) : undefined;
+    case "event": return happened(tell);
     case "refused": return say(tell.reason, true);
     case "pong": return;
   }
@@ -73,6 +75,8 @@ function take(tell: Tell): void {
 
 function begin(tell: Hello): void {
   hello = tell;
+  // The events until now follow.
+  get("events").replaceChildren();
   plan.space = tell.space[0];
   const seal = get("seal");
   seal.textContent = tell.authenticated ? "authenticated" : "unauthenticated";
@@ -182,6 +186,18 @@ function granted(is: boolean, reason: string): void {
   if (reason) say(reason, true);
   for (const control of document.querySelectorAll<HTMLButtonElement | HTMLInputElement | HTMLSelectElement>(
     "#middle button, #middle input, #middle select")) control.disabled = !is;
+}
+
+function happened(event: Happened): void {
+  const { time, severity, text } = event;
+  const line = make("li", "", { class: severity });
+  const at = make("button", `${fixed(time, 1)} s`, { type: "button", class: "quiet", title: "Go to this time of a recording" });
+  at.addEventListener("click", () => { if (!get("player").hidden) ask("seek", { time }); });
+  line.append(at, ` ${text}`);
+  const events = get("events");
+  events.prepend(line);
+  while (events.children.length > 200) events.lastChild?.remove();
+  document.body.dataset["event"] = text;
 }
 
 function say(text: string, bad = false): void {

@@ -17,7 +17,8 @@ export interface State {
   recording: { running: boolean; periods: number; error: string | null; ready: boolean };
 }
 export interface Playing { type: "playing"; from: number; to: number; time: number; speed: number }
-export type Tell = Hello | Frame | State | Playing
+export interface Happened { type: "event"; time: number; severity: "info" | "warning" | "critical"; text: string }
+export type Tell = Hello | Frame | State | Playing | Happened
   | { type: "command"; granted: boolean; reason: string }
   | { type: "outcome"; order: string; outcome: "done" | "given_up" | "refused" }
   | { type: "refused"; reason: string }

@@ -16,6 +16,7 @@ pub use signature::Signature;
 use super::Tool;
 use crate::bench::Period;
 use crate::command::Seat;
+use crate::events::{Event, Severity};
 use crate::messages::{Ask, Flown, Point};
 use crate::testbed::Testbed;
 use ::mavlink::dialects::common::*;
@@ -65,6 +66,8 @@ pub struct Mavlink {
     wanted: Vec<MavMessage>,
     mission: Mission,
     signature: Signature,
+    /// Number of the last text.
+    texts: u16,
 }
 
 /// Result of a command: requests, or the reason to reject it.
@@ -93,6 +96,7 @@ impl Mavlink {
             wanted: Vec::new(),
             mission: Mission::default(),
             signature,
+            texts: 0,
         })
     }
 
@@ -235,6 +239,28 @@ impl Tool for Mavlink {
             seat.release();
         }
         asks
+    }
+
+    fn report(&mut self, event: &Event) {
+        let severity = match event.severity {
+            Severity::Info => MavSeverity::MAV_SEVERITY_INFO,
+            Severity::Warning => MavSeverity::MAV_SEVERITY_WARNING,
+            Severity::Critical => MavSeverity::MAV_SEVERITY_CRITICAL,
+        };
+        // A chunk has 50 characters; the texts are ASCII.
+        self.texts = self.texts.wrapping_add(1).max(1);
+        let chunks: Vec<String> = event
+            .text
+            .as_bytes()
+            .chunks(50)
+            .map(|chunk| String::from_utf8_lossy(chunk).into_owned())
+            .collect();
+        let id = if chunks.len() > 1 { self.texts } else { 0 };
+        for (number, chunk) in chunks.iter().enumerate() {
+            let text = chunk.as_str().into();
+            let chunk_seq = number as u8;
+            self.send(&MavMessage::STATUSTEXT(STATUSTEXT_DATA { severity, text, id, chunk_seq }));
+        }
     }
 
     fn tell(&mut self, testbed: &Testbed, done: &Period, news: &[News]) {
