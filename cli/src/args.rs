@@ -67,7 +67,7 @@ pub enum Task {
     Py(Python),
     /// Make a folder of the C for a system that firmware is built in: Zephyr, PX4, ROS 2, FreeRTOS …
     Pack(Pack),
-    /// Make a co-simulation unit (FMI 3.0) of an entry point
+    /// Make a co-simulation unit (FMI 3.0) of an entry point or a component
     Fmu(Fmu),
     /// Describe variables of a linked firmware in ASAP2, for measurement and calibration tools
     A2l(A2l),
@@ -320,7 +320,8 @@ pub enum System {
 #[command(after_help = "\
 Examples:
   cargo bessemer fmu --period 0.001                      fmu/motor_step.fmu
-  cargo bessemer fmu --entry Motor::step --period 0.001  Where there are several
+  cargo bessemer fmu --entry Motor::step --period 0.001  One of several entry points
+  cargo bessemer fmu --entry Estimator                   All entry points of a component, by [periods] of bessemer.toml
 
 It has the C and a library for this machine. Data with a `…_defaults()` becomes parameters, what else goes in inputs; a
 step of the simulation is a whole number of periods. Needs gcc or clang.")]
@@ -328,12 +329,12 @@ pub struct Fmu {
     /// Selection of the package
     #[command(flatten)]
     pub package: Package,
-    /// The entry point, where there are several: `Motor::step`
+    /// The entry point, or the component whose entry points share the unit: `Motor::step`, `Estimator`
     #[arg(long, value_name = "NAME")]
     pub entry: Option<String>,
-    /// The time between two calls, s
+    /// The time between two calls, s; without it, as `[periods]` of bessemer.toml has it
     #[arg(long, value_name = "SECONDS")]
-    pub period: f64,
+    pub period: Option<f64>,
     /// The folder that the unit is made in
     #[arg(long, value_name = "FOLDER", default_value = "fmu")]
     pub output: PathBuf,

@@ -102,6 +102,24 @@ pub enum Error {
     /// The time between two calls is none.
     #[error("the period must be greater than 0 s")]
     Period,
+    /// Nobody says how often an entry point is called.
+    #[error("the time between two calls of `{entry}` is not set")]
+    NoPeriod {
+        /// Its name in the C.
+        entry: String,
+    },
+    /// Entry points of a unit have periods without a common measure.
+    #[error(
+        "`{entry}` is called every {period} s, which is no multiple of {shortest} s, the shortest period of the unit"
+    )]
+    Multiple {
+        /// Its name in the C.
+        entry: String,
+        /// Its period, s.
+        period: f64,
+        /// Shortest period of the unit, s.
+        shortest: f64,
+    },
     /// A parameter has a length of its own, which a unit's variables have not.
     #[error(
         "`{entry}` takes `{name}`, a slice, and a variable of a co-simulation unit has a fixed length"
@@ -149,6 +167,12 @@ impl Error {
                 "pass a tuple of the arguments after `self`, in order".to_owned()
             }
             Error::NoCompiler => install(&[GCC, CLANG]),
+            Error::NoPeriod { entry } => format!(
+                "pass `--period 0.001`, or write `{entry} = 0.001` below `[periods]` in bessemer.toml"
+            ),
+            Error::Multiple { .. } => {
+                "choose multiples in `[periods]`, or make a unit for each entry point".to_owned()
+            }
             Error::Period => "pass seconds: `--period 0.001`".to_owned(),
             Error::Slice { .. } => "write an entry point that takes an array `[f64; N]`".to_owned(),
             Error::Elf { .. } => "pass the linked ELF file, not the binary image".to_owned(),

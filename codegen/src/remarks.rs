@@ -8,6 +8,7 @@ use bessemer_ir::tree::{self, DefinitionKind, Package, Site, Ty};
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{Const, ConstId, ExprKind, Function, Module, Owner, Role, Span, Type};
 
+use bessemer_backend::c::outside;
 use bessemer_backend::passes;
 use bessemer_frontend::diagnostic::{Diagnostic, Level};
 
@@ -28,6 +29,7 @@ pub fn of(package: &Package, module: &Module) -> Vec<Diagnostic> {
     }));
     reported.extend(uncalled(module, &idle));
     reported.extend(repeated(module));
+    reported.extend(unchecked(module));
     reported.sort_by(|one, other| (&one.file, one.line).cmp(&(&other.file, other.line)));
     reported
 }
@@ -173,6 +175,40 @@ fn repeated(module: &Module) -> impl Iterator<Item = Diagnostic> + '_ {
             message,
             "write `#[data]` above the table, so that the C has it once",
         ))
+    })
+}
+
+/// Parameters of infallible entry points with enums, which the firmware passes and nothing checks.
+fn unchecked(module: &Module) -> impl Iterator<Item = Diagnostic> + '_ {
+    let infallible = |it: &&Function| matches!(it.role, Role::Entry { infallible: true });
+    module.functions.iter().filter(infallible).flat_map(move |function| {
+        let mut warnings: Vec<Diagnostic> = Vec::new();
+        let mut last = None;
+        for it in outside::enums(module, function) {
+            let of = &module.enums[it.id.index()];
+            let (Some(parameter), Some(variant)) =
+                (function.parameters().get(it.parameter), of.variants.last())
+            else {
+                continue;
+            };
+            if of.variants.len() < 2 || last == Some(it.parameter) {
+                continue;
+            }
+            last = Some(it.parameter);
+            let Some(file) = module.files.get(function.span.file as usize) else { continue };
+            let (name, parameter) = (&function.name, &parameter.name);
+            let message = format!(
+                "`{name}` is infallible, and does not check `{parameter}`: the firmware may pass no variant of `{}`",
+                of.name
+            );
+            let help = format!(
+                "write `#[entry]`, which returns a status and checks it; without, no variant takes the last arm of each `match`, and is `{}` elsewhere",
+                variant.name
+            );
+            let site = Site(function.span.line, function.span.column);
+            warnings.push(warning(file, site, message, &help));
+        }
+        warnings
     })
 }
 

@@ -194,7 +194,7 @@ fn verified(workspace: &Workspace) {
     let wanted = Fmu {
         package: Default::default(),
         entry: Some("Motor::step".to_owned()),
-        period: 0.001,
+        period: Some(0.001),
         output: workspace.path("unit"),
     };
     fmu::run(&workspace.path(""), &wanted, false).unwrap_or_else(|error| panic!("{error}"));

@@ -87,6 +87,11 @@ const MAIN: &str = r#"#include <float.h>
 
 static tuned_t tuned;
 
+/* Each index by its name. */
+typedef char axes_1_gain[(TUNED_PARAMETER_AXES_1_GAIN == 1U) ? 1 : -1];
+typedef char slopes[(TUNED_PARAMETER_SLOPES == 2U) ? 1 : -1];
+typedef char wide[(TUNED_PARAMETER_WIDE + 1U == TUNED_PARAMETERS) ? 1 : -1];
+
 static size_t named(const char *name)
 {
     size_t at = 0;
@@ -197,6 +202,26 @@ fn a_table_is_listed_read_and_set() {
         assert_eq!(String::from_utf8_lossy(&output.stdout), ANSWERS, "{}: {said}", host.name());
     }
     it_is_cpp_too(&folder.path().join("acme_parameter_table.h"));
+}
+
+/// A field that is added before the others moves their indices, and not their names.
+#[test]
+fn names_of_indices_stay_when_a_parameter_is_added() {
+    let names = |face: &Interface| {
+        let named = |(of, rows): (&Struct, Vec<_>)| parameters::index_names(of, &rows);
+        parameters::tables(face).flat_map(named).collect::<Vec<_>>()
+    };
+    let mut face = face();
+    let before = names(&face);
+    assert_eq!(before[..2], ["TUNED_PARAMETER_AXES_0_GAIN", "TUNED_PARAMETER_AXES_1_GAIN"]);
+    let tuned = face.structs.iter_mut().find(|it| it.name == "tuned_t").expect("the struct");
+    tuned.fields.insert(0, field("first", "double", 0, None));
+    // A name that another parameter has gets a `_`.
+    tuned.fields.push(field("axes_0", "axis_t", 80, None));
+    let after = names(&face);
+    assert_eq!(after[0], "TUNED_PARAMETER_FIRST");
+    assert_eq!(after[1..=before.len()], before);
+    assert_eq!(after.last().map(String::as_str), Some("TUNED_PARAMETER_AXES_0_GAIN_"));
 }
 
 fn it_is_cpp_too(header: &std::path::Path) {

@@ -122,6 +122,23 @@ fn own(of: &Struct) -> &str {
     of.name.strip_suffix("_t").unwrap_or(&of.name)
 }
 
+/// Names of the indices of a struct's parameters: `GAINS_PARAMETER_AXES_1_GAIN`.
+///
+/// A name depends on its parameter alone, so that it means the same one when others are added before it.
+pub fn index_names(of: &Struct, rows: &[Row]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for row in rows {
+        let words = row.name.split(|it: char| !it.is_ascii_alphanumeric() && it != '_');
+        let words: Vec<&str> = words.filter(|it| !it.is_empty()).collect();
+        let mut name = format!("{}_PARAMETER_{}", own(of), words.join("_")).to_uppercase();
+        while names.contains(&name) {
+            name.push('_');
+        }
+        names.push(name);
+    }
+    names
+}
+
 fn header(tables: &[(&Struct, Vec<Row>)]) -> String {
     let mut headers: Vec<&str> = tables.iter().map(|(it, _)| it.header.as_str()).collect();
     headers.sort_unstable();
@@ -134,12 +151,18 @@ fn header(tables: &[(&Struct, Vec<Row>)]) -> String {
     let mut faces = String::new();
     for (of, rows) in tables {
         let (own, ty, count) = (own(of), &of.name, rows.len());
+        let indices: String = (0..)
+            .zip(index_names(of, rows))
+            .map(|(at, name): (u32, _)| format!("#define {name} {at}U\n"))
+            .collect();
         let _ = write!(
             faces,
             "
 /** How many parameters a `{ty}` has. */
 #define {upper}_PARAMETERS {count}U
 
+/* Their indices: a name stays with its parameter when others are added. */
+{indices}
 /** The parameters of a `{ty}`. */
 extern const @stem@_parameter_t {own}_parameters[{upper}_PARAMETERS];
 

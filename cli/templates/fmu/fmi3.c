@@ -31,6 +31,8 @@ static const double FMU_PERIOD = @PERIOD@;
 
 typedef struct {
 @VALUES@    double fmu_time;
+    /* Periods that have passed. */
+    uint64_t fmu_periods;
 } fmu_values_t;
 
 typedef struct {
@@ -39,7 +41,10 @@ typedef struct {
     fmu_log_t *log;
 } fmu_instance_t;
 
-typedef enum { FMU_FLOAT32, FMU_FLOAT64, FMU_INT8, FMU_UINT8, FMU_INT16, FMU_UINT16, FMU_INT32, FMU_UINT32, FMU_INT64, FMU_UINT64, FMU_BOOLEAN } fmu_kind_t;
+typedef enum {
+    FMU_FLOAT32, FMU_FLOAT64, FMU_INT8, FMU_UINT8, FMU_INT16, FMU_UINT16, FMU_INT32, FMU_UINT32, FMU_INT64, FMU_UINT64, FMU_BOOLEAN,
+    FMU_ENUMERATION
+} fmu_kind_t;
 
 typedef struct {
     fmu_kind_t kind;
@@ -47,8 +52,12 @@ typedef struct {
     size_t offset;
     size_t size;
     size_t count;
+    /* The values of an enumeration. */
+    const int64_t *items;
+    size_t item_count;
 } fmu_variable_t;
 
+@ITEMS@
 /* By value reference. */
 static const fmu_variable_t FMU_VARIABLES[] = {
 @VARIABLES@};
@@ -58,10 +67,12 @@ static void fmu_begin(fmu_values_t *values)
     memset(values, 0, sizeof *values);
 @BEGIN@}
 
-/* One period; false if the entry point met a fault. */
+/* One period; false if an entry point met a fault. */
 static bool fmu_period(fmu_values_t *values)
 {
-@PERIOD_BODY@}
+@PERIOD_BODY@    values->fmu_periods++;
+    return true;
+}
 
 static fmu_status_t fmu_wrong(const fmu_instance_t *instance, const char *message)
 {
@@ -71,6 +82,20 @@ static fmu_status_t fmu_wrong(const fmu_instance_t *instance, const char *messag
     return FMU_ERROR;
 }
 
+/* An element of an enumeration, which FMI passes as 64 bits; false if it is no item of it. */
+static bool fmu_set_item(const fmu_variable_t *variable, unsigned char *to, int64_t value)
+{
+    const int number = (int)value;
+    bool known = false;
+    for (size_t i = 0U; i < variable->item_count; i++) {
+        known = known || variable->items[i] == value;
+    }
+    if (known) {
+        memcpy(to, &number, sizeof number);
+    }
+    return known;
+}
+
 /* Copies the elements of variables of a kind, out of the instance or into it. */
 static fmu_status_t fmu_copy(fmu_instance_t *instance, fmu_kind_t kind, const uint32_t *references, size_t count,
     unsigned char *elements, size_t most, bool set)
@@ -78,20 +103,41 @@ static fmu_status_t fmu_copy(fmu_instance_t *instance, fmu_kind_t kind, const ui
     unsigned char *const bytes = (unsigned char *)&instance->values;
     size_t done = 0U;
     for (size_t i = 0U; i < count; i++) {
-        if (references[i] >= sizeof FMU_VARIABLES / sizeof FMU_VARIABLES[0] || FMU_VARIABLES[references[i]].kind != kind) {
-            return fmu_wrong(instance, "there is no such variable of this type");
+        if (references[i] >= sizeof FMU_VARIABLES / sizeof FMU_VARIABLES[0]) {
+            return fmu_wrong(instance, "there is no such variable");
         }
         const fmu_variable_t *const variable = &FMU_VARIABLES[references[i]];
+        const bool is_enumeration = variable->kind == FMU_ENUMERATION;
+        if (variable->kind != kind && !(is_enumeration && kind == FMU_INT64)) {
+            return fmu_wrong(instance, "there is no such variable of this type");
+        }
         if (variable->count > most - done) {
             return fmu_wrong(instance, "a variable has more elements than there are values");
         }
-        unsigned char *const element = &elements[done * variable->size];
-        if (!set) {
-            memcpy(element, &bytes[variable->offset], variable->count * variable->size);
-        } else if (variable->writable) {
-            memcpy(&bytes[variable->offset], element, variable->count * variable->size);
-        } else {
+        unsigned char *const element = &elements[done * (is_enumeration ? sizeof(int64_t) : variable->size)];
+        if (set && !variable->writable) {
             return fmu_wrong(instance, "this variable is not set from outside");
+        }
+        if (is_enumeration) {
+            for (size_t at = 0U; at < variable->count; at++) {
+                unsigned char *const own = &bytes[variable->offset + at * variable->size];
+                int64_t value = 0;
+                if (set) {
+                    memcpy(&value, &element[at * sizeof value], sizeof value);
+                    if (!fmu_set_item(variable, own, value)) {
+                        return fmu_wrong(instance, "the enumeration has no such item");
+                    }
+                } else {
+                    int number = 0;
+                    memcpy(&number, own, sizeof number);
+                    value = number;
+                    memcpy(&element[at * sizeof value], &value, sizeof value);
+                }
+            }
+        } else if (!set) {
+            memcpy(element, &bytes[variable->offset], variable->count * variable->size);
+        } else {
+            memcpy(&bytes[variable->offset], element, variable->count * variable->size);
         }
         done += variable->count;
     }

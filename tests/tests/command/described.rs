@@ -231,6 +231,35 @@ refused(ValueError, "`weights` is an array of the shape (3,), not (2,)", tuning,
 refused(ValueError, "`drift` is written", tuning, measured, [1.0, 2.0, 3.0], weights, 0)
 refused(OverflowError, "`least` is from 0 to 65535, not -1", tuning, measured, drift, weights, -1)
 refused(TypeError, "'float'", tuning, measured, drift, weights, 0.5)
+
+def not_set(error, said, of, name, value):
+    try:
+        setattr(of, name, value)
+    except error as it:
+        assert said in str(it), it
+        return
+    raise AssertionError(said)
+
+not_set(AttributeError, "`tuning_t` has no field `slope`; it has ", tuning, "slope", 1.0)
+not_set(ValueError, "`period` is from 1 to 5000, not 0", tuning, "period", 0)
+not_set(OverflowError, "`sign` is from -128 to 127, not 200", observer, "sign", 200)
+not_set(ValueError, "`slopes` is from -1.5 to 2.5, not [0.0, 3.0, 0.0]", tuning, "slopes", [0.0, 3.0, 0.0])
+not_set(ValueError, "`slopes` is from -1.5 to 2.5, not [0.0, nan, 0.0]", tuning, "slopes", [0.0, float("nan"), 0.0])
+not_set(ValueError, "2 is not a valid observer_mode_t", tuning, "mode", 2)
+try:
+    motor.tuning_t(perod=1)
+    raise AssertionError("an unknown name was taken")
+except AttributeError as it:
+    assert "has no field `perod`" in str(it), it
+assert tuning.mode is motor.observer_mode_t.OBSERVER_MODE_TUNED and tuning.mode == motor.OBSERVER_MODE_TUNED == 1
+tuning.mode = motor.observer_mode_t.OBSERVER_MODE_OFF
+assert "mode=observer_mode_t.OBSERVER_MODE_OFF" in repr(tuning) and repr(tuning).startswith("tuning_t(") and "period=5000" in repr(tuning), repr(tuning)
+assert "=[tuning_t(" in repr(observer), repr(observer)
+tuning.mode = 1
+kept = tuning.slopes[1]
+tuning.slopes[1] = 3.0
+refused(ValueError, "`slopes` is from -1.5 to 2.5", tuning, measured, drift, weights, 0)
+tuning.slopes[1] = kept
 refused(Exception, "tuning_t", observer, measured, drift, weights, 0)
 for n in range(255):
     measured = numpy.array([[(n + 3 * r + c) * 0.1 for c in range(3)] for r in range(2)])

@@ -4,6 +4,7 @@
 mod built;
 mod described;
 mod observer;
+mod units;
 mod verified;
 
 use std::fs;
@@ -73,6 +74,7 @@ fn a_new_package_is_simulated_and_generated() {
     called_from_python(&package);
     simulated_as_a_unit(&package);
     described::run(&package);
+    units::run(&package);
     refusals(&package);
 }
 
@@ -163,18 +165,20 @@ for n in range(100):
 
 /// As a co-simulation unit, which FMPy validates and steps; its state goes out and back in the middle.
 fn simulated_as_a_unit(package: &Path) {
-    let wanted = |entry: Option<&str>, period| Fmu {
+    let wanted = |entry: Option<&str>, period: Option<f64>| Fmu {
         package: Default::default(),
         entry: entry.map(str::to_owned),
         period,
         output: package.join("fmu"),
     };
-    let refused = fmu::run(package, &wanted(None, 0.0), false).expect_err("no period");
+    let refused = fmu::run(package, &wanted(None, Some(0.0)), false).expect_err("no period");
     assert_eq!(refused.to_string(), "the period must be greater than 0 s");
-    let refused = fmu::run(package, &wanted(Some("Pump::step"), 0.001), false);
+    let refused = fmu::run(package, &wanted(None, None), false).expect_err("no period");
+    assert_eq!(refused.to_string(), "the time between two calls of `motor_step` is not set");
+    let refused = fmu::run(package, &wanted(Some("Pump::step"), Some(0.001)), false);
     assert_eq!(refused.expect_err("no pump").to_string(), "there is no entry point `Pump::step`");
     let Some(mut python) = python_with("fmpy") else { return };
-    let wanted = wanted(None, 0.001);
+    let wanted = wanted(None, Some(0.001));
     let said = fmu::run(package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
     assert!(said.contains("motor_step.fmu: Motor::step with 7 variables"), "{said}");
     python.current_dir(&wanted.output);
@@ -211,7 +215,7 @@ for n in range(100):
         state = unit.deserializeFMUState(kept)
         unit.setFMUState(state)
         unit.freeFMUState(state)
-    print(*map(bits, unit.getFloat64([place['result'], place['integral']])))
+    print(*map(bits, unit.getFloat64([place['result'], place['self.integral']])))
 unit.terminate()
 unit.freeInstance()
 ";

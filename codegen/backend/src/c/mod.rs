@@ -30,6 +30,7 @@ mod lower;
 mod matrices;
 pub mod names;
 mod options;
+pub mod outside;
 mod passing;
 mod placing;
 mod print;

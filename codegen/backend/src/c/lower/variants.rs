@@ -5,8 +5,9 @@
 //! infallible one cannot, and takes the last arm of a `match`. Tested are enums that are arguments or fields of
 //! struct arguments, not elements of arrays or payloads.
 
-use bessemer_ir::{EnumId, Expr as Ir, Fault, Form, Owner, Role, Type};
+use bessemer_ir::{EnumId, Expr as Ir, Fault};
 
+use super::super::outside::{self, Outside};
 use super::super::signature::Returned;
 use super::super::tree::{Expr, StmtKind, SwitchArm};
 use super::{Lower, bound};
@@ -37,54 +38,33 @@ impl Lower<'_> {
     }
 
     pub(super) fn check_variants(&mut self) {
-        let entry = matches!(self.function.role, Role::Entry { .. });
-        if !entry || self.signature.returned != Returned::Status {
+        if self.signature.returned != Returned::Status {
             return;
         }
-        let function = self.function;
-        for (index, local) in function.parameters().iter().enumerate() {
-            // A component's state is what its entry points made of it.
-            let own = matches!((function.owner, &local.ty),
-                (Some(Owner::Struct(owner)), Type::Struct(id)) if index == 0 && *id == owner);
-            let Some(binding) = self.bindings[index].clone().filter(|_| !own) else { continue };
-            self.check_variant(bound(&binding), &local.ty);
+        for Outside { parameter, path, id } in outside::enums(self.context.module, self.function) {
+            let Some(binding) = self.bindings[parameter].clone() else { continue };
+            let value = path.into_iter().fold(bound(&binding), |value, (of, field)| {
+                value.field(&self.context.names.structs[of.index()].fields[field])
+            });
+            self.check_variant(value, id);
         }
     }
 
-    fn check_variant(&mut self, value: Expr, ty: &Type) {
-        match ty {
-            Type::Enum(id) => {
-                let item = &self.context.module.enums[id.index()];
-                let count = item.variants.len();
-                let fault = Expr::name(self.context.names.status.fault(Fault::Variant));
-                let then = self.scope(|lower| lower.fail(fault));
-                if item.is_numbered() {
-                    let labels = &self.context.names.enums[id.index()].variants;
-                    let labels = labels.iter().map(Expr::name).collect();
-                    let known = SwitchArm { labels, default: false, body: Vec::new() };
-                    let other = SwitchArm { labels: Vec::new(), default: true, body: then };
-                    self.emit(StmtKind::Switch { scrutinee: value, arms: vec![known, other] });
-                    return;
-                }
-                let end = Expr::name(format!("{count}U"));
-                let condition = Expr::binary(">=", Expr::cast("uint32_t", value), end);
-                self.emit(StmtKind::If { condition, then, otherwise: Vec::new() });
-            }
-            Type::Struct(id) => {
-                let item = &self.context.module.structs[id.index()];
-                let names = &self.context.names.structs[id.index()].fields;
-                let looked_at = match item.form {
-                    Form::Record => item.fields.len(),
-                    // The first field says which of the others holds a value: an enum among these may hold none.
-                    Form::Choice(_) | Form::Sequence => 1,
-                    // The entry point has written nothing to its work memory yet.
-                    Form::Lent | Form::Shared => 0,
-                };
-                for (field, name) in item.fields.iter().zip(names).take(looked_at) {
-                    self.check_variant(value.clone().field(name), &field.ty);
-                }
-            }
-            _ => {}
+    fn check_variant(&mut self, value: Expr, id: EnumId) {
+        let item = &self.context.module.enums[id.index()];
+        let count = item.variants.len();
+        let fault = Expr::name(self.context.names.status.fault(Fault::Variant));
+        let then = self.scope(|lower| lower.fail(fault));
+        if item.is_numbered() {
+            let labels = &self.context.names.enums[id.index()].variants;
+            let labels = labels.iter().map(Expr::name).collect();
+            let known = SwitchArm { labels, default: false, body: Vec::new() };
+            let other = SwitchArm { labels: Vec::new(), default: true, body: then };
+            self.emit(StmtKind::Switch { scrutinee: value, arms: vec![known, other] });
+            return;
         }
+        let end = Expr::name(format!("{count}U"));
+        let condition = Expr::binary(">=", Expr::cast("uint32_t", value), end);
+        self.emit(StmtKind::If { condition, then, otherwise: Vec::new() });
     }
 }
