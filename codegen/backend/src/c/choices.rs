@@ -14,7 +14,7 @@
 
 use std::collections::BTreeMap;
 
-use super::lower::unused::names;
+use super::mentions::names;
 use super::tree::{Expr, Init, Origin, Stmt, StmtKind, SwitchArm, compound};
 
 /// Variants from which an enum's chain of comparisons reads better as a `switch`.

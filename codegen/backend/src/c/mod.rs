@@ -28,6 +28,7 @@ mod library;
 mod literal;
 mod lower;
 mod matrices;
+mod mentions;
 pub mod names;
 mod options;
 pub mod outside;

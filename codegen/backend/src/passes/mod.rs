@@ -24,7 +24,6 @@ mod flatten;
 mod lend;
 mod lowering;
 mod names;
-mod persistent;
 mod places;
 mod positions;
 mod proof;

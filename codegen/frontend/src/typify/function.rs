@@ -344,7 +344,7 @@ impl Lowering<'_, '_> {
 
     pub(super) fn bind(&mut self, name: &str, binding: Value) {
         if let Some(scope) = self.scopes.last_mut() {
-            scope.bind(name.to_owned(), binding);
+            scope.add_name(name.to_owned(), binding);
         }
     }
 

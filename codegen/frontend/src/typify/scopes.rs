@@ -19,8 +19,8 @@ pub(super) struct Names {
 
 impl Names {
     /// Adds a binding.
-    pub fn bind(&mut self, name: String, meaning: Value) {
-        self.places.entry(name.clone()).or_default().push(self.all.len());
+    pub fn add_name(&mut self, name: String, meaning: Value) {
+        self.places.entry(name.clone()).or_default().extend([self.all.len()]);
         self.all.push((name, meaning));
     }
 
@@ -43,7 +43,7 @@ impl Names {
 impl FromIterator<(String, Value)> for Names {
     fn from_iter<I: IntoIterator<Item = (String, Value)>>(bindings: I) -> Names {
         let mut names = Names::default();
-        bindings.into_iter().for_each(|(name, meaning)| names.bind(name, meaning));
+        bindings.into_iter().for_each(|(name, meaning)| names.add_name(name, meaning));
         names
     }
 }
@@ -62,28 +62,4 @@ pub(super) fn meaning_in<'s>(scopes: &'s [Names], name: &str) -> Option<&'s Valu
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn later_and_inner_bindings_come_first() {
-        let scope = |bindings: &[(&str, usize)]| -> Names {
-            bindings.iter().map(|(name, at)| (name.to_string(), Value::Closure(*at))).collect()
-        };
-        let mut scopes = [scope(&[("a", 0), ("b", 1), ("a", 2)]), scope(&[]), scope(&[("a", 3)])];
-        let closures = |scopes: &[Names], name: &str| -> Vec<usize> {
-            let index = |meaning: &Value| match meaning {
-                Value::Closure(at) => *at,
-                _ => usize::MAX,
-            };
-            meanings_in(scopes, name).map(index).collect()
-        };
-        assert_eq!(closures(&scopes, "a"), [3, 2, 0]);
-        assert_eq!(closures(&scopes, "b"), [1]);
-        assert!(closures(&scopes, "c").is_empty());
-        scopes[2].bind("b".to_owned(), Value::Closure(4));
-        scopes[0].meanings_mut().for_each(|meaning| *meaning = Value::Closure(5));
-        assert_eq!(closures(&scopes, "b"), [4, 5]);
-        assert_eq!(scopes.iter().map(Names::len).collect::<Vec<_>>(), [3, 0, 2]);
-    }
-}
+mod tests;

@@ -21,7 +21,7 @@ mod place;
 mod range;
 mod routine;
 mod stmt;
-pub(super) mod unused;
+mod unused;
 mod variants;
 mod widths;
 mod word;

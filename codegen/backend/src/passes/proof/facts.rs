@@ -4,7 +4,7 @@
 //! are joined. Facts before a branch have one number on both paths.
 
 use super::linear::{Linear, Symbol};
-use crate::passes::persistent::Map;
+use super::persistent::Map;
 
 /// A fact about symbols.
 pub(super) trait About: Clone + PartialEq {

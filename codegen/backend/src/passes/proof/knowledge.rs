@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use super::facts::{About, Facts};
 use super::linear::{Linear, Symbol};
-use crate::passes::persistent::Map;
+use super::persistent::Map;
 use bessemer_ir::used::Rule;
 
 /// Least and greatest value.

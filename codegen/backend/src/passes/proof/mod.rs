@@ -21,6 +21,7 @@ mod facts;
 mod knowledge;
 mod linear;
 mod operations;
+mod persistent;
 mod returns;
 mod values;
 mod walk;

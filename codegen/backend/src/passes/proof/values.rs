@@ -14,8 +14,8 @@ use bessemer_ir::{
 
 use super::knowledge::{Bounds, Formula, Knowledge};
 use super::linear::{FURTHEST, Linear, Symbol};
+use super::persistent::Map;
 use super::returns::{Numbers, Returns};
-use crate::passes::persistent::Map;
 use crate::passes::sites::Site;
 use bessemer_ir::used::Rule;
 
