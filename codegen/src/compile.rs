@@ -2,8 +2,11 @@
 //!
 //! Validation runs before and after the passes; every later stage may rely on it.
 
+use std::collections::BTreeSet;
+
 use bessemer_ir::tree::Package;
-use bessemer_ir::{Fault, Module, Type};
+use bessemer_ir::visit::Walk;
+use bessemer_ir::{ExprKind, Fault, Module, Span, Type};
 
 use crate::deep::deep;
 use bessemer_backend::c::interface::Interface;
@@ -54,11 +57,28 @@ pub fn compile(
     sources: &Sources,
     options: &Options,
 ) -> Result<Compiled, Vec<Diagnostic>> {
-    deep(|| {
+    let compiled = deep(|| {
         let typed = typify::typify(package, sources, options.layout == Layout::Columns)?;
         gate(&typed.0)?;
         of_module(typed, &package.license, options)
-    })
+    });
+    compiled.map_err(|errors| errors.into_iter().map(|it| by_deref(package, it)).collect())
+}
+
+/// Rewords an error about the types of an expression, if one of the author's types implements `Deref`: rustc follows it
+/// where the tree shows nothing.
+fn by_deref(package: &Package, error: Diagnostic) -> Diagnostic {
+    let is_of_types =
+        error.help == OUR_FAULT || error.message.ends_with("is not a supported field");
+    if package.derefs.is_empty() || !is_of_types {
+        return error;
+    }
+    let names: Vec<String> = package.derefs.iter().map(|name| format!("`{name}`")).collect();
+    Diagnostic {
+        message: format!("this uses the `Deref` of {}, which hides the access that C has to name", names.join(" or ")),
+        help: "name the field, `outer.inner.x`, or call a method that returns the reference, `fn inner(&self) -> &Inner`".to_owned(),
+        ..error
+    }
 }
 
 impl Compiled {
@@ -181,8 +201,45 @@ fn unproved(module: &Module, error: &passes::Error) -> Diagnostic {
             ruled_out(*fault, &check.reason)
         ),
     };
-    Diagnostic { help, ..place(module, check.span, &message) }
+    let at = module.functions.iter().position(|it| it.name == *entry);
+    let span = at.map_or(check.span, |at| authors(module, at, check.span));
+    Diagnostic { help, ..place(module, span, &message) }
 }
+
+/// Returns the place of a fault that an entry point reaches. A fault in a function of the DSL has the place of the author's
+/// call that leads there.
+pub fn authors(module: &Module, entry: usize, span: Span) -> Span {
+    let is_ours = |index: usize| module.functions[index].module.split("::").next() == Some(DSL);
+    let holds = |index: usize| {
+        let of = module.functions[index].span;
+        is_ours(index) && of.file == span.file
+    };
+    if !(0..module.functions.len()).any(holds) {
+        return span;
+    }
+    // The calls of each function, in order; those of the DSL's functions have the place of the author's.
+    let mut waiting = vec![(entry, None)];
+    let mut seen = BTreeSet::from([entry]);
+    let mut next = 0;
+    while let Some(&(index, call)) = waiting.get(next) {
+        next += 1;
+        if let Some(call) = call.filter(|_| holds(index)) {
+            return call;
+        }
+        module.functions[index].body.each_expr(|expr| {
+            if let ExprKind::Call(callee, _) = &expr.kind
+                && seen.insert(callee.index())
+            {
+                let through = call.filter(|_| is_ours(index)).unwrap_or(expr.span);
+                waiting.push((callee.index(), Some(through)));
+            }
+        });
+    }
+    span
+}
+
+/// Name of the DSL's crate.
+const DSL: &str = "bessemer";
 
 /// Returns a diagnostic for each operation in double or 64 bits that an entry point of `#[entry(single)]` reaches.
 fn too_wide(module: &Module, entry: &EntryReport) -> Vec<Diagnostic> {

@@ -38,37 +38,52 @@ impl<T: PartialEq> [T] {
     }
 }
 
-#[library(SliceEditCompanions)]
+#[library(SliceEditCompanions, expand)]
 impl<T: Copy> [T] {
     /// Rotates the slice to the left: the first `by` elements move to the end.
     pub fn rotate_left(values: &mut Self, by: usize) {
         assert!(by <= values.len());
-        values[..by].reverse();
-        values[by..].reverse();
-        values.reverse();
+        if by == 1 {
+            let first = values[0];
+            for i in 1..values.len() {
+                values[i - 1] = values[i];
+            }
+            values[values.len() - 1] = first;
+        } else {
+            values[..by].reverse();
+            values[by..].reverse();
+            values.reverse();
+        }
     }
 
     /// Rotates the slice to the right: the last `by` elements move to the beginning.
     pub fn rotate_right(values: &mut Self, by: usize) {
         assert!(by <= values.len());
-        values.reverse();
-        values[..by].reverse();
-        values[by..].reverse();
+        if by == 1 {
+            let last = values[values.len() - 1];
+            for i in (1..values.len()).rev() {
+                values[i] = values[i - 1];
+            }
+            values[0] = last;
+        } else {
+            values.reverse();
+            values[..by].reverse();
+            values[by..].reverse();
+        }
     }
 
     /// Copies the elements from index `from` to before `to` to index `place`; the two ranges may overlap.
     #[method(slice_copy_within_part)]
     pub fn copy_within(values: &mut Self, from: usize, to: usize, place: usize) {
         crate::__inside!(from <= to && to <= values.len());
-        let count = to - from;
-        crate::__inside!(place <= values.len() - count);
+        crate::__inside!(place <= values.len() - (to - from));
         if place <= from {
-            for i in 0..count {
-                values[place + i] = values[from + i];
+            for i in from..to {
+                values[place + (i - from)] = values[i];
             }
         } else {
-            for i in (0..count).rev() {
-                values[place + i] = values[from + i];
+            for i in (from..to).rev() {
+                values[place + (i - from)] = values[i];
             }
         }
     }

@@ -92,3 +92,80 @@ pub fn either<T: Integer>(one: Native<T>, other: Native<T>) -> Native<T> {
 pub fn differing<T: Integer>(one: Native<T>, other: Native<T>) -> Native<T> {
     Native(one.0 ^ other.0)
 }
+
+/// Returns the quotient.
+///
+/// # Panics
+/// For a divisor of 0.
+#[function]
+#[inline]
+pub fn quotient<T: Integer>(one: Native<T>, other: Native<T>) -> Native<T> {
+    Native(one.0.wrapping_div(other.0))
+}
+
+/// Returns the bits that a number does not have.
+#[function]
+#[inline]
+pub fn opposite<T: Integer>(one: Native<T>) -> Native<T> {
+    // All bits, of a number with a sign or without.
+    Native(one.0 ^ T::ZERO.wrapping_sub(T::ONE))
+}
+
+/// Moves the bits up, modulo the width.
+#[function]
+#[inline]
+pub fn up<T: Integer>(one: Native<T>, bits: usize) -> Native<T> {
+    Native(one.0.wrapping_shl(bits as u32))
+}
+
+/// Moves the bits down, modulo the width; a sign is kept.
+#[function]
+#[inline]
+pub fn down<T: Integer>(one: Native<T>, bits: usize) -> Native<T> {
+    Native(one.0.wrapping_shr(bits as u32))
+}
+
+/// Divides a number.
+///
+/// # Panics
+/// For a divisor of 0.
+#[function]
+#[inline]
+pub fn divide<T: Integer>(one: &mut Native<T>, other: Native<T>) {
+    one.0 = one.0.wrapping_div(other.0);
+}
+
+/// Keeps the bits that the other has, too.
+#[function]
+#[inline]
+pub fn keep<T: Integer>(one: &mut Native<T>, other: Native<T>) {
+    one.0 = one.0 & other.0;
+}
+
+/// Sets the bits of the other.
+#[function]
+#[inline]
+pub fn set<T: Integer>(one: &mut Native<T>, other: Native<T>) {
+    one.0 = one.0 | other.0;
+}
+
+/// Flips the bits of the other.
+#[function]
+#[inline]
+pub fn flip<T: Integer>(one: &mut Native<T>, other: Native<T>) {
+    one.0 = one.0 ^ other.0;
+}
+
+/// Moves the bits of a number up, modulo the width.
+#[function]
+#[inline]
+pub fn move_up<T: Integer>(one: &mut Native<T>, other: usize) {
+    one.0 = one.0.wrapping_shl(other as u32);
+}
+
+/// Moves the bits of a number down, modulo the width; a sign is kept.
+#[function]
+#[inline]
+pub fn move_down<T: Integer>(one: &mut Native<T>, other: usize) {
+    one.0 = one.0.wrapping_shr(other as u32);
+}

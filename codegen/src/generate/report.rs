@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use bessemer_ir::{Fault, Owner, Role, Span};
 
-use crate::compile::Compiled;
+use crate::compile::{self, Compiled};
 use bessemer_backend::c::{EntryReport, Width};
 use bessemer_backend::passes;
 
@@ -117,7 +117,9 @@ pub fn explanation(compiled: &Compiled) -> String {
         for reached in passes::reached(&compiled.module, index) {
             for check in compiled.checks.functions.get(reached).into_iter().flatten() {
                 count += 1;
-                let (at, fault) = (place(compiled, check.span), word(check.fault));
+                // Of a fault in the DSL's own code, the author's call.
+                let span = compile::authors(&compiled.module, index, check.span);
+                let (at, fault) = (place(compiled, span), word(check.fault));
                 let _ = writeln!(lines, "  {at}: {fault}: {}", check.reason);
             }
         }

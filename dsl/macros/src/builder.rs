@@ -12,6 +12,7 @@ use crate::closures;
 use crate::docs;
 use crate::generics::Scope;
 use crate::implied;
+use crate::imports;
 use crate::lower::{self, Lowering, Parameter, Refusals, refuse};
 use crate::owned;
 use crate::place::{named, registered};
@@ -92,8 +93,12 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     // A function inside another is built when the other calls it.
     let announced = !rewritten && matches!(subject.home, Home::Module);
     let register = announced.then(|| register(name, marker, scope));
+    // `mod cossin` around `fn cossin`: behind an import the module hides the carrier of the same name.
+    let within = announced && imports::in_module_of_its_name(name);
+    let in_module = within.then_some(&companion);
     quote! {
         #declared
+        #in_module
         const _: () = {
             impl #name { #companion }
             #callee
@@ -393,8 +398,10 @@ fn builder(
         Home::Function(depth) => depth,
         _ => 0,
     };
-    let floats = scope.floats().map(|floats| {
-        let (companions, methods) = (floats.companions(), floats.methods());
+    // Those of other traits are bounds of the types.
+    let floats = scope.numbers().into_iter().next().map(|name| {
+        let [companions, methods] =
+            ["Builtins", "Methods"].map(|kind| format_ident!("{name}{kind}"));
         quote! {
             use ::bessemer::generate::generic::#companions as _;
             use ::bessemer::math::#methods as _;

@@ -63,8 +63,8 @@ pub fn without(generics: &syn::Generics) -> syn::Generics {
     rest
 }
 
-/// Returns the signature with a name for each type behind an interface, as in `rng: &mut impl Rng`, and without
-/// `?Sized`.
+/// Returns the signature with a name for each type that only a bound describes, and without `?Sized`.
+/// Examples: `rng: &mut impl Rng`, `gain: impl Into<f64>`.
 pub fn with_names(signature: &syn::Signature) -> syn::Signature {
     let mut named = Interfaces(Vec::new());
     let mut signature = signature.clone();
@@ -78,25 +78,30 @@ pub fn with_names(signature: &syn::Signature) -> syn::Signature {
     signature
 }
 
-/// Returns true if a bound may be an interface. Traits of Rust and those of closures and iterators are none, since they
-/// represent no type.
-fn is_interface(bound: &TypeParamBound) -> bool {
+/// Traits of Rust that values of the DSL have.
+const OF_VALUES: [&str; 7] = ["Clone", "Copy", "Debug", "Default", "Into", "Ord", "PartialOrd"];
+
+/// Returns true if a bound is one on a value: an interface, or a trait of Rust that values have, such as `Into`. Those of
+/// closures and iterators represent no type.
+fn is_of_value(bound: &TypeParamBound) -> bool {
     let TypeParamBound::Trait(it) = bound else { return false };
-    of_bound(bound).is_none() && refuse::known_trait(&it.path).is_none()
+    let is_known =
+        || it.path.segments.last().is_some_and(|last| OF_VALUES.iter().any(|of| last.ident == of));
+    of_bound(bound).is_none() && (refuse::known_trait(&it.path).is_none() || is_known())
 }
 
 /// Returns true if a bound is `?Sized`.
-fn is_relaxed(bound: &TypeParamBound) -> bool {
+pub fn is_relaxed(bound: &TypeParamBound) -> bool {
     matches!(bound, TypeParamBound::Trait(it) if it.maybe.is_some())
 }
 
-/// Generated names for types behind interfaces.
+/// The names of types that only bounds describe.
 struct Interfaces(Vec<GenericParam>);
 
 impl VisitMut for Interfaces {
     fn visit_type_mut(&mut self, ty: &mut syn::Type) {
         match ty {
-            syn::Type::ImplTrait(it) if !it.bounds.iter().any(is_interface) => {}
+            syn::Type::ImplTrait(it) if !it.bounds.iter().any(is_of_value) => {}
             syn::Type::ImplTrait(it) => {
                 let name = quote::format_ident!("Impl{}", self.0.len());
                 let bounds = &it.bounds;

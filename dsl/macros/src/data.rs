@@ -12,10 +12,12 @@ use syn::spanned::Spanned;
 use crate::attributes;
 use crate::builder::{self, Home, Subject};
 use crate::closures;
+use crate::defaults;
 use crate::docs;
 use crate::generics::Scope;
 use crate::given::{self, On};
 use crate::implied;
+use crate::imports;
 use crate::instance;
 use crate::interface;
 use crate::kind::Kind;
@@ -37,9 +39,10 @@ pub fn expand(kind: Kind, arguments: TokenStream, item: TokenStream) -> TokenStr
     let (native, beside) = match syn::parse2::<syn::Item>(item.clone()) {
         Ok(syn::Item::Struct(mut it)) => {
             let beside = data_struct(kind, &it, &mut refusals);
+            let default = defaults::of_arrays(&mut it);
             given::strip(&mut it.attrs);
             strip_fields(&mut it.fields);
-            (it.to_token_stream(), beside)
+            (it.to_token_stream(), quote! { #beside #default })
         }
         Ok(syn::Item::Enum(mut it)) => {
             let beside = data_enum(kind, &it, &mut refusals);
@@ -504,6 +507,11 @@ fn methods(
 ) -> (TokenStream, TokenStream) {
     refuse_lifetimes(kind, &it.generics, refusals);
     lower::name_lifetimes(&mut it);
+    for item in &mut it.items {
+        if let syn::ImplItem::Fn(method) = item {
+            imports::write_out(&method.sig, &mut method.block);
+        }
+    }
     if it.trait_.is_some() {
         return interface::implementation(kind, it, refusals);
     }
@@ -523,7 +531,7 @@ fn methods(
         let role = asked.role;
         let subject = Subject::of(method, asked, Home::Block);
         beside.extend(builder::method(&it.self_ty, &it.generics, &subject, &mut refusals));
-        let own = closures::without(&method.sig.generics);
+        let own = closures::without(&closures::with_names(&method.sig).generics);
         let generic = Scope::of_function(&own).is_generic();
         // A refused method is not built. A method with a `where` of its own does not exist for every instance.
         if refusals.is_empty()

@@ -8,6 +8,7 @@ use quote::{ToTokens, quote};
 use crate::attributes::{self, Asked};
 use crate::builder::{self, Home, Subject};
 use crate::generics::Scope;
+use crate::imports;
 use crate::lower::{self, Refusals, refuse};
 use crate::redirect;
 
@@ -64,6 +65,7 @@ fn marked(
         refusals.add(&function.sig.ident, refuse::RUST_TYPE);
         return with_errors(refusals, item);
     }
+    imports::write_out(&function.sig, &mut function.block);
     let more = more(&function, &mut refusals);
     let mut asked = attributes::of_function(&mut function, &mut refusals);
     if more.attributes.external.is_some() {

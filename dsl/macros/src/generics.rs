@@ -9,6 +9,7 @@ use syn::GenericParam;
 
 use crate::closures::bounds_of;
 use crate::lower;
+use crate::numeric::{self, mentions};
 
 /// Generic parameters in the scope of a function or a type.
 #[derive(Clone, Copy)]
@@ -159,9 +160,13 @@ impl<'a> Scope<'a> {
     pub fn values(self) -> impl Iterator<Item = TokenStream> {
         self.types().flat_map(move |name| {
             let both = self.outer.into_iter().chain(self.own);
-            let asked = both.flat_map(|generics| bounds_of(generics, name)).filter_map(conversion);
-            let asked = asked.map(|(of, other)| of.predicate(&quote! { #name }, other));
-            std::iter::once(self.value(name)).chain(asked.collect::<Vec<_>>())
+            let bounds: Vec<_> = both.flat_map(|generics| bounds_of(generics, name)).collect();
+            let asked = bounds.iter().filter_map(|bound| conversion(bound));
+            let asked = asked.flat_map(|(of, other)| of.predicates(&quote! { #name }, other));
+            let numeric = bounds.iter().flat_map(|bound| numeric::companions(bound));
+            let numeric = numeric.map(|path| quote! { #name: #path });
+            let more: Vec<_> = asked.chain(numeric).collect();
+            std::iter::once(self.value(name)).chain(more)
         })
     }
 
@@ -206,17 +211,21 @@ impl<'a> Scope<'a> {
             .any(|param| matches!(param, GenericParam::Const(it) if path.path.is_ident(&it.ident)))
     }
 
-    /// Returns the bounds of those types that may be floats; none if there are no types.
-    pub fn floats(self) -> Option<Floats> {
-        self.types().next()?;
-        let is_real = self.types().any(|name| self.is_real(name));
-        Some(if is_real { Floats::Real } else { Floats::Number })
+    /// Returns the names of the DSL's traits that have the methods of those types by their bounds; none if there are no
+    /// types. In the DSL `Methods` or `Builtins` follow each.
+    pub fn numbers(self) -> Vec<&'static str> {
+        if self.types().next().is_none() {
+            return Vec::new();
+        }
+        let both = || self.outer.into_iter().chain(self.own);
+        let bounds = self.types().flat_map(|name| both().flat_map(|it| bounds_of(it, name)));
+        numeric::families(bounds)
     }
 
     /// Returns true if a type has nalgebra's bound `RealField`, so it is a float of the DSL.
     fn is_real(self, name: &syn::Ident) -> bool {
         let mut both = self.outer.into_iter().chain(self.own);
-        both.any(|generics| bounds_of(generics, name).any(is_real))
+        both.any(|generics| bounds_of(generics, name).any(numeric::is_real))
     }
 
     fn value(self, name: &syn::Ident) -> TokenStream {
@@ -248,11 +257,6 @@ impl<'a> Scope<'a> {
     }
 }
 
-/// Returns true if a bound is nalgebra's `RealField`.
-pub fn is_real(bound: &syn::TypeParamBound) -> bool {
-    mentions(bound.to_token_stream(), &["RealField", "ComplexField"].map(str::to_owned))
-}
-
 /// A conversion that a bound requires.
 #[derive(Clone, Copy)]
 pub enum Conversion {
@@ -265,12 +269,18 @@ pub enum Conversion {
 }
 
 impl Conversion {
-    /// Returns the predicate that a type has the DSL's bound.
-    pub fn predicate(self, of: &TokenStream, other: &syn::Type) -> TokenStream {
+    /// Returns the predicates that a type has the DSL's bounds.
+    pub fn predicates(self, of: &TokenStream, other: &syn::Type) -> Vec<TokenStream> {
         match self {
-            Conversion::From => quote! { #of: ::bessemer::generate::FromBuiltin<#other> },
-            Conversion::Into => quote! { #other: ::bessemer::generate::FromBuiltin<#of> },
-            Conversion::TryFrom => quote! { #of: ::bessemer::generate::TryFromBuiltin<#other> },
+            Conversion::From => vec![quote! { #of: ::bessemer::generate::FromBuiltin<#other> }],
+            // The second says which of all conversions `x.into()` is.
+            Conversion::Into => vec![
+                quote! { #other: ::bessemer::generate::FromBuiltin<#of> },
+                quote! { #of: ::bessemer::generate::numbers::IntoBuiltin<#other> },
+            ],
+            Conversion::TryFrom => {
+                vec![quote! { #of: ::bessemer::generate::TryFromBuiltin<#other> }]
+            }
         }
     }
 }
@@ -289,33 +299,6 @@ pub fn conversion(bound: &syn::TypeParamBound) -> Option<(Conversion, &syn::Type
     match list.args.first()? {
         syn::GenericArgument::Type(other) => Some((of, other)),
         _ => None,
-    }
-}
-
-/// Bound of a type that represents a float; it selects the DSL's trait with its methods.
-#[derive(Clone, Copy)]
-pub enum Floats {
-    /// Bound `num_traits::Float`, or a trait that implies it.
-    Number,
-    /// Bound `RealField` of nalgebra.
-    Real,
-}
-
-impl Floats {
-    /// Returns the DSL's trait with the methods of types with this bound.
-    pub fn methods(self) -> TokenStream {
-        match self {
-            Floats::Number => quote! { AnyFloatMethods },
-            Floats::Real => quote! { AnyRealMethods },
-        }
-    }
-
-    /// Returns the trait of their companions.
-    pub fn companions(self) -> TokenStream {
-        match self {
-            Floats::Number => quote! { AnyFloatBuiltins },
-            Floats::Real => quote! { AnyRealBuiltins },
-        }
     }
 }
 
@@ -342,12 +325,4 @@ fn angle(items: impl Iterator<Item = TokenStream>) -> TokenStream {
     } else {
         quote! { <#(#items),*> }
     }
-}
-
-fn mentions(tokens: TokenStream, names: &[String]) -> bool {
-    tokens.into_iter().any(|token| match token {
-        proc_macro2::TokenTree::Ident(ident) => names.contains(&ident.to_string()),
-        proc_macro2::TokenTree::Group(group) => mentions(group.stream(), names),
-        _ => false,
-    })
 }

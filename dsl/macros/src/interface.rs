@@ -10,10 +10,13 @@ use syn::spanned::Spanned;
 
 use crate::attributes::{self, Asked};
 use crate::builder::{self, Home, Subject};
-use crate::generics::{Scope, conversion, is_real};
+use crate::closures;
+use crate::generics::{Scope, conversion};
+use crate::imports;
 use crate::instance;
 use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
+use crate::numeric;
 use crate::operators;
 use crate::own_numbers;
 use crate::place;
@@ -34,6 +37,13 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
         }
     };
     lower::check_attributes(&it.attrs, &mut refusals);
+    if lower::generating() {
+        // Each type of the DSL has a size.
+        for param in it.generics.type_params_mut() {
+            let bounds = std::mem::take(&mut param.bounds).into_iter();
+            param.bounds = bounds.filter(|bound| !closures::is_relaxed(bound)).collect();
+        }
+    }
     let named = syn::Path::from(it.ident.clone());
     if operators::known(&named).is_some() || refuse::known_trait(&named).is_some() {
         refusals.add(&it.ident, refuse::RUST_TRAIT);
@@ -47,17 +57,12 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
 fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
     let (name, generics) = (it.ident.clone(), it.generics.clone());
     let (mut hidden, mut beside) = (Vec::new(), TokenStream::new());
-    if it.supertraits.iter().any(is_real) {
-        // Who has the interface has what `RealField` has, by the DSL's names.
-        it.supertraits.push(syn::parse_quote!(::bessemer::math::AnyRealMethods));
-        if lower::generating() {
-            it.supertraits.push(syn::parse_quote!(::bessemer::math::Real));
-            it.supertraits.push(syn::parse_quote!(::bessemer::generate::generic::AnyRealBuiltins));
-        }
-    }
+    // Who has the interface has what its supertraits have, by the DSL's names.
+    let implied = numeric::implied_by(&it.supertraits, lower::generating());
+    it.supertraits.extend(implied);
     if lower::generating() {
         let asked = it.supertraits.iter().filter_map(conversion);
-        let asked = asked.map(|(of, other)| of.predicate(&quote! { Self }, other));
+        let asked = asked.flat_map(|(of, other)| of.predicates(&quote! { Self }, other));
         let asked: Vec<syn::WherePredicate> = asked.map(|it| syn::parse_quote!(#it)).collect();
         for predicate in asked {
             match predicate {
@@ -73,6 +78,9 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
         match item {
             syn::TraitItem::Fn(method) => {
                 let mut refusals = Refusals::default();
+                if let Some(body) = &mut method.default {
+                    imports::write_out(&method.sig, body);
+                }
                 hidden.extend(own_numbers::alias(method));
                 let asked = attributes::of_interface(method, &mut refusals);
                 let parts = Method { interface: &name, generics: &generics, method, asked };

@@ -10,18 +10,22 @@
 mod attributes;
 mod builder;
 mod closures;
+mod conditions;
 mod data;
+mod defaults;
 mod docs;
 mod expression;
 mod function;
 mod generics;
 mod given;
 mod implied;
+mod imports;
 mod instance;
 mod interface;
 mod kind;
 mod library;
 mod lower;
+mod numeric;
 mod operators;
 mod own_numbers;
 mod owned;
@@ -30,6 +34,7 @@ mod redirect;
 mod sizes;
 mod table;
 mod witness;
+mod words;
 
 use proc_macro::TokenStream;
 

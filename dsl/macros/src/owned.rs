@@ -90,15 +90,32 @@ pub fn of_libm(path: &syn::Path) -> Option<syn::Path> {
         [first, last] => (first.ident.to_string(), &last.ident),
         _ => return None,
     };
-    let text = last.to_string();
+    let (float, name) = float_method(&last.to_string()).filter(|_| first == "libm")?;
+    let (float, name) = [float, name].map(|it| syn::Ident::new(it, last.span())).into();
+    Some(syn::parse_quote!(#float::#name))
+}
+
+/// The float and its method for the name of a function of `libm`.
+fn float_method(text: &str) -> Option<(&'static str, &'static str)> {
     let named = |text: &str| {
         let other = LIBM.iter().find(|(theirs, _)| *theirs == text).map(|(_, ours)| *ours);
         other.or_else(|| OWNED.iter().copied().find(|ours| *ours == text))
     };
     let single = || text.strip_suffix('f').and_then(named).map(|name| ("f32", name));
-    let (float, name) = named(&text).map(|name| ("f64", name)).or_else(single)?;
-    let (float, name) = [float, name].map(|it| syn::Ident::new(it, last.span())).into();
-    (first == "libm").then(|| syn::parse_quote!(#float::#name))
+    named(text).map(|name| ("f64", name)).or_else(single)
+}
+
+/// Returns true if `libm` may have a function of this name.
+pub fn is_of_libm(name: &syn::Ident) -> bool {
+    float_method(&name.to_string()).is_some()
+}
+
+/// The free functions of `num_traits` that the DSL has.
+const NUM_TRAITS: [&str; 5] = ["abs", "cast", "one", "signum", "zero"];
+
+/// Returns true if `num_traits` may have a free function of this name.
+pub fn is_of_num_traits(name: &syn::Ident) -> bool {
+    NUM_TRAITS.iter().any(|it| name == it)
 }
 
 /// Returns the DSL's name of `new` for a type with the name of one of nalgebra's, whose `new` calls the platform's
@@ -118,13 +135,41 @@ pub fn of_path(path: &syn::Path) -> Option<syn::Ident> {
 /// nalgebra's traits of numbers, whose paths may precede methods.
 pub const FIELDS: [&str; 2] = ["ComplexField", "RealField"];
 
-/// Rewrites a call by the path of its trait as a method call: `ComplexField::sin(x)` becomes `x.sin()`. Code without
-/// std has to use such paths where it cannot name a type.
-pub fn by_method(it: &syn::ExprCall) -> Option<syn::Expr> {
-    let syn::Expr::Path(syn::ExprPath { qself: None, path, .. }) = &*it.func else { return None };
+/// Returns true if a function's path leads through one of these traits.
+pub fn is_of_nalgebra(path: &syn::Path) -> bool {
+    let home = path.segments.iter().rev().nth(1);
+    home.is_some_and(|home| FIELDS.iter().any(|it| home.ident == it))
+}
+
+/// Traits of numbers of `num_traits`, and the DSL's own.
+const NUMBERS: [&str; 5] = ["Euclid", "Float", "FloatCore", "Real", "Signed"];
+
+/// Rewrites a call by the path of its trait as a method call: `ComplexField::sin(x)` and `<T as Float>::sin(x)` become
+/// `x.sin()`. Code without std has to use such paths where it cannot name a type.
+///
+/// A trait of `num_traits` is recognized by `is_of_num_traits`, since an author may have a type of such a name.
+pub fn by_method(
+    it: &syn::ExprCall,
+    is_of_num_traits: fn(&syn::Path) -> bool,
+) -> Option<syn::Expr> {
+    let syn::Expr::Path(syn::ExprPath { qself, path, .. }) = &*it.func else { return None };
     let mut last = path.segments.iter().rev();
     let (name, home) = (&last.next()?.ident, &last.next()?.ident);
-    owned(name).filter(|_| FIELDS.iter().any(|it| home == it))?;
+    let of_numbers = || {
+        let count = path.segments.len() - 1;
+        let home: Vec<_> = path.segments.iter().take(count).collect();
+        qself.is_some() || is_of_num_traits(&syn::parse_quote!(#(#home)::*))
+    };
+    let is_trait =
+        FIELDS.iter().any(|it| home == it) || NUMBERS.iter().any(|it| home == it) && of_numbers();
+    owned(name).filter(|_| is_trait)?;
+    if let Some(qself) = qself
+        && matches!(it.args.first(), Some(syn::Expr::Lit(_) | syn::Expr::Unary(_)))
+    {
+        // A literal has the type that is named.
+        let (ty, arguments) = (&qself.ty, &it.args);
+        return Some(syn::parse_quote! { <#ty>::#name(#arguments) });
+    }
     let (receiver, rest) = (it.args.first()?, it.args.iter().skip(1));
     Some(syn::parse_quote! { (#receiver).#name(#(#rest),*) })
 }
@@ -144,6 +189,24 @@ pub fn of_nalgebra(path: &syn::Path) -> Option<syn::Path> {
     }
     (is(&home.ident, &["nalgebra", "na"]) && is(&last.ident, &known))
         .then(|| syn::parse_quote!(::bessemer::generate::generic::#last))
+}
+
+/// Returns the DSL's function in the witness copy for a free function of `num_traits`, or for `NumCast::from` and the
+/// like, which name no type.
+pub fn of_num_traits(path: &syn::Path) -> Option<syn::Path> {
+    let mut last = path.segments.iter().rev();
+    let (name, home) = (last.next()?, &last.next()?.ident);
+    if home == "num_traits" && is_of_num_traits(&name.ident) {
+        return Some(syn::parse_quote!(::bessemer::generate::numeric::#name));
+    }
+    let function = match (home.to_string().as_str(), name.ident.to_string().as_str()) {
+        ("NumCast", "from") => "cast",
+        ("Zero", "zero") => "zero",
+        ("One", "one") => "one",
+        _ => return None,
+    };
+    let function = syn::Ident::new(function, name.ident.span());
+    Some(syn::parse_quote!(::bessemer::generate::numeric::#function))
 }
 
 /// Module and name of core's iterator over one value.

@@ -9,9 +9,11 @@
 use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
 
-use crate::generics::{Floats, Scope};
+use crate::generics::Scope;
+use crate::imports;
 use crate::lower::macros::{expanded, in_every_build};
 use crate::lower::{Refusals, generating, loops, sort};
+use crate::numeric;
 use crate::owned::{associated, by_method, of_libm, of_path, owned};
 
 /// Writes the body that Rust runs, or the errors in its place. rustc then reports nothing else about the item, and
@@ -36,7 +38,7 @@ pub fn native(
 /// Rewrites every call in `block`, and imports the DSL's traits into its scope; if `scope` has type parameters that
 /// are floats, also their traits.
 fn block(block: &mut syn::Block, scope: Scope<'_>) {
-    let mut redirect = Redirect { used: false };
+    let mut redirect = Redirect { used: false, imported: Vec::new() };
     redirect.visit_block_mut(block);
     if redirect.used {
         let import = syn::parse_quote_spanned! { Span::call_site() =>
@@ -48,15 +50,23 @@ fn block(block: &mut syn::Block, scope: Scope<'_>) {
             };
         };
         block.stmts.insert(0, import);
-        let floats = scope.floats().map(Floats::methods).map(|name| -> syn::Stmt {
+        let numbers = scope.numbers().into_iter().map(|name| -> syn::Stmt {
+            let name = quote::format_ident!("{name}Methods");
             syn::parse_quote! { #[allow(unused_imports)] use ::bessemer::math::#name as _; }
         });
-        block.stmts.splice(0..0, floats);
+        block.stmts.splice(0..0, numbers);
     }
+    let imported = redirect.imported.iter().map(|name| -> syn::Stmt {
+        // The import stays used.
+        syn::parse_quote! { const _: () = { let _ = #name; }; }
+    });
+    block.stmts.splice(0..0, imported);
 }
 
 struct Redirect {
     used: bool,
+    /// The functions of `libm` that the author calls by an imported name.
+    imported: Vec<syn::Ident>,
 }
 
 impl VisitMut for Redirect {
@@ -72,7 +82,7 @@ impl VisitMut for Redirect {
         let stands_for = match expr {
             syn::Expr::Macro(it) => expanded(&it.mac),
             syn::Expr::MethodCall(it) => sort::sorted(it, sort::Leg::Native),
-            syn::Expr::Call(it) => by_method(it),
+            syn::Expr::Call(it) => by_method(it, numeric::is_of_num_traits),
             _ => None,
         };
         if let Some(other) = stands_for {
@@ -95,7 +105,10 @@ impl VisitMut for Redirect {
     fn visit_expr_path_mut(&mut self, path: &mut syn::ExprPath) {
         visit_mut::visit_expr_path_mut(self, path);
         if let Some(own) = of_libm(&path.path).filter(|_| path.qself.is_none()) {
+            self.imported.extend(imports::bare(&path.path).map(|it| it.ident.clone()));
             path.path = own;
+        } else if let Some(bare) = imports::bare(&path.path).cloned() {
+            path.path = bare.into();
         }
         if associated(path.qself.as_ref(), &path.path)
             && let Some(name) = of_path(&path.path)

@@ -220,6 +220,7 @@ impl Builder {
             for (message, remedy) in own.told(named.name) {
                 self.refuse(named.file, Site(site.0, site.1), message, remedy);
             }
+            self.package.derefs.extend(own.lends.then(|| named.name.to_owned()));
             let kind = kind(self);
             self.package.types.push(tree::Definition {
                 path: path.clone(),

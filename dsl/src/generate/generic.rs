@@ -1,5 +1,5 @@
-//! Companions of elementary functions, and of methods of `num_traits::Float` and nalgebra's `RealField`, for the
-//! float type that a function is built for.
+//! The companions of the elementary functions, and of the methods of `Float`, `FloatCore` and `RealField`. A function is
+//! built for one float, and has the companions of that float.
 //!
 //! As in [`crate::math`], they take the receiver by reference, so that rustc finds a known float's own companion
 //! first.
@@ -14,6 +14,7 @@ use bessemer_tree::number::{Float, Scalar};
 
 use nalgebra::{Const, OPoint, RealField};
 use num_traits::Float as Number;
+use num_traits::float::FloatCore;
 
 use super::builder::{Builder, Callee};
 use super::companions::{calls, companions};
@@ -122,6 +123,13 @@ macro_rules! either {
                 fn __b_max_value() -> Self = [Either<Self, constants::__function_max_value<f64>, constants::__function_max_value<f32>>];
                 fn __b_min_value() -> Self = [Either<Self, constants::__function_min_value<f64>, constants::__function_min_value<f32>>];
             }
+            /// Companions of a `num_traits::float::FloatCore`.
+            pub trait AnyCoreBuiltins: Sized {
+                $(fn $companion(&self $(, $operand: $ty)*) -> $result = [$marker];)*
+                $(fn $constant() -> Self = [Either<Self, constants::$function<f64>, constants::$function<f32>>];)*
+                fn __b_max_value() -> Self = [Either<Self, constants::__function_max_value<f64>, constants::__function_max_value<f32>>];
+                fn __b_min_value() -> Self = [Either<Self, constants::__function_min_value<f64>, constants::__function_min_value<f32>>];
+            }
             /// Companions of nalgebra's `RealField`, whose largest number is optional.
             pub trait AnyRealBuiltins: Sized {
                 $(fn $companion(&self $(, $operand: $ty)*) -> $result = [$marker];)*
@@ -136,6 +144,7 @@ macro_rules! either {
 elementary! { floats }
 
 impl<T: Number> AnyFloatBuiltins for T {}
+impl<T: FloatCore> AnyCoreBuiltins for T {}
 impl<T: RealField> AnyRealBuiltins for T {}
 
 /// Carrier of `nalgebra::convert` from double precision, which is [`real`](crate::math::real).

@@ -15,6 +15,7 @@ mod items;
 pub mod iterator;
 pub mod matrices;
 pub mod numbers;
+pub mod numeric;
 mod operators;
 mod own;
 pub mod slice;

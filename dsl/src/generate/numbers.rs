@@ -45,6 +45,10 @@ companions! {
         fn __b_leading_ones(self) -> u32 = LeadingOnes: Number(NumberMethod::LeadingOnes);
         fn __b_trailing_zeros(self) -> u32 = TrailingZeros: Number(NumberMethod::TrailingZeros);
         fn __b_trailing_ones(self) -> u32 = TrailingOnes: Number(NumberMethod::TrailingOnes);
+        fn __b_to_le(self) -> Self = [From];
+        fn __b_to_be(self) -> Self = SwapBytes;
+        fn __b_from_le(_word: Self) -> Self = [From];
+        fn __b_from_be(_word: Self) -> Self = SwapBytes;
         fn __b_abs_diff(self, _other: Self) -> Self::Unsigned = AbsDiff: Number(NumberMethod::AbsDiff);
         fn __b_pow(self, _exponent: u32) -> Self = <Pow>;
         fn __b_wrapping_pow(self, _exponent: u32) -> Self = <WrappingPow>;

@@ -41,11 +41,6 @@ impl Own {
                 format!("`{name}` implements `Drop`, which C would never call"),
                 "write a method, and call it at the end of the value's life",
             ),
-            (
-                self.lends,
-                format!("`{name}` implements `Deref`, which hides the access that C has to name"),
-                "write a method that returns the reference, `fn inner(&self) -> &Inner`",
-            ),
         ];
         told.into_iter().filter(|it| it.0).map(|(_, message, remedy)| (message, remedy))
     }

@@ -33,4 +33,25 @@ operators! {
     AddAssign: __function_add;
     SubAssign: __function_subtract;
     MulAssign: __function_multiply;
+    Div: __function_quotient;
+    DivAssign: __function_divide;
+    Not: __function_opposite;
+    BitAndAssign: __function_keep;
+    BitOrAssign: __function_set;
+    BitXorAssign: __function_flip;
+}
+
+macro_rules! shifts {
+    ($($sign:ident: $function:ident;)*) => {$(
+        impl<T: Value + Integer> Operates<sign::$sign, usize> for Wrapping<T> {
+            type Marker = wrapping::$function<T>;
+        }
+    )*};
+}
+
+shifts! {
+    Shl: __function_up;
+    Shr: __function_down;
+    ShlAssign: __function_move_up;
+    ShrAssign: __function_move_down;
 }

@@ -1,4 +1,8 @@
-//! Constants of a float that are functions without parameters in `num_traits` and nalgebra, such as `T::zero()`.
+//! Constants of a number in the DSL that are functions without parameters in `num_traits` and nalgebra: `T::zero()`; and
+//! comparisons with them.
+
+// `==` of floats is none in the C.
+#![allow(clippy::double_comparisons)]
 
 use crate::prelude::*;
 
@@ -114,4 +118,52 @@ pub fn frac_pi_8<T: Real>() -> T {
 #[function(expand)]
 pub fn default_epsilon<T: Real>() -> T {
     T::EPSILON
+}
+
+/// Returns true if a number is 0.
+#[function(expand)]
+pub fn is_zero<T: Real>(number: &T) -> bool {
+    *number <= T::ZERO && *number >= T::ZERO
+}
+
+/// Returns true if a number is 1.
+#[function(expand)]
+pub fn is_one<T: Real>(number: &T) -> bool {
+    *number <= T::ONE && *number >= T::ONE
+}
+
+/// 0.
+#[function(expand)]
+pub fn integer_zero<T: Integer>() -> T {
+    T::ZERO
+}
+
+/// 1.
+#[function(expand)]
+pub fn integer_one<T: Integer>() -> T {
+    T::ONE
+}
+
+/// The largest value.
+#[function(expand)]
+pub fn integer_max_value<T: Integer>() -> T {
+    T::MAX
+}
+
+/// The smallest value.
+#[function(expand)]
+pub fn integer_min_value<T: Integer>() -> T {
+    T::MIN
+}
+
+/// Returns true if an integer is 0.
+#[function(expand)]
+pub fn integer_is_zero<T: Integer>(number: &T) -> bool {
+    *number == T::ZERO
+}
+
+/// Returns true if an integer is 1.
+#[function(expand)]
+pub fn integer_is_one<T: Integer>(number: &T) -> bool {
+    *number == T::ONE
 }

@@ -1,5 +1,5 @@
-//! The DSL's functions for code that is generic over `num_traits::Float` or nalgebra's `RealField`. Each float gives
-//! the same bits as in code that names its type.
+//! The DSL's functions for code that is generic over `Float`, `FloatCore`, `Signed` or `Euclid` of `num_traits`, or
+//! nalgebra's `RealField`. Each float has the same bits as in code that names it.
 //!
 //! The methods have `&self` receivers: if the type is known, rustc finds the methods of the float itself first, which
 //! have `self`.
@@ -7,7 +7,8 @@
 //! Invariant: each float that implements these traits is `f32`, or a number that `f64` represents exactly.
 
 use nalgebra::RealField;
-use num_traits::Float;
+use num_traits::float::FloatCore;
+use num_traits::{Euclid, Float, Signed};
 
 use super::methods::elementary;
 use super::{ElementaryMethods, FloatMethods, OrderMethods, RoundMethods, SignMethods};
@@ -61,6 +62,11 @@ macro_rules! generics {
             $($name($($argument),*) [$($other: $ty),*];)*
         }
         generic! {
+            /// Methods of a type with the bound `num_traits::float::FloatCore`.
+            AnyCoreMethods: FloatCore, core_as_f64, core_of;
+            $($name($($argument),*) [$($other: $ty),*];)*
+        }
+        generic! {
             /// Methods of a type parameter with nalgebra's bound `RealField`.
             AnyRealMethods: RealField, real_as_f64, real_of;
             $($name($($argument),*) [$($other: $ty),*];)*
@@ -105,10 +111,51 @@ fn float_of<T: Float>(x: f64) -> T {
     T::from(x).unwrap_or_else(T::nan)
 }
 
+fn core_as_f64<T: FloatCore>(x: &T) -> f64 {
+    x.to_f64().unwrap_or(f64::NAN)
+}
+
+fn core_of<T: FloatCore>(x: f64) -> T {
+    T::from(x).unwrap_or_else(T::nan)
+}
+
 fn real_as_f64<T: RealField>(x: &T) -> f64 {
     x.to_subset_unchecked()
 }
 
 fn real_of<T: RealField>(x: f64) -> T {
     nalgebra::convert(x)
+}
+
+/// Methods of a type with the bound `num_traits::Signed`. That trait has them by these names, with the results of the
+/// type's own.
+#[allow(missing_docs)]
+pub trait AnySignedMethods: Sized {
+    fn dsl_abs(&self) -> Self;
+    fn dsl_signum(&self) -> Self;
+}
+
+impl<T: Signed> AnySignedMethods for T {
+    fn dsl_abs(&self) -> T {
+        self.abs()
+    }
+    fn dsl_signum(&self) -> T {
+        self.signum()
+    }
+}
+
+/// Methods of a type with the bound `num_traits::Euclid`.
+#[allow(missing_docs)]
+pub trait AnyEuclidMethods: Sized {
+    fn dsl_div_euclid(&self, by: &Self) -> Self;
+    fn dsl_rem_euclid(&self, by: &Self) -> Self;
+}
+
+impl<T: Euclid> AnyEuclidMethods for T {
+    fn dsl_div_euclid(&self, by: &T) -> T {
+        self.div_euclid(by)
+    }
+    fn dsl_rem_euclid(&self, by: &T) -> T {
+        self.rem_euclid(by)
+    }
 }

@@ -57,7 +57,9 @@ pub use crate::rotation::{
 use crate::{comparison, search, sort};
 pub use float::{Real, real};
 #[doc(hidden)]
-pub use generic::{AnyFloatMethods, AnyRealMethods};
+pub use generic::{
+    AnyCoreMethods, AnyEuclidMethods, AnyFloatMethods, AnyRealMethods, AnySignedMethods,
+};
 pub use integral::Integer;
 pub use matrix::{MatrixMethods, SquareMethods};
 #[doc(hidden)]

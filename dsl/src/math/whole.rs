@@ -106,6 +106,16 @@ impl<T: Integer> T {
         (negative, a != T::ZERO && (a < T::ZERO) == (negative < T::ZERO))
     }
 
+    /// Moves the bits up, modulo the width; true if `bits` are as many or more.
+    pub fn overflowing_shl(a: Self, bits: u32) -> (Self, bool) {
+        (a.wrapping_shl(bits), bits >= T::BITS)
+    }
+
+    /// Moves the bits down, modulo the width; true if `bits` are as many or more.
+    pub fn overflowing_shr(a: Self, bits: u32) -> (Self, bool) {
+        (a.wrapping_shr(bits), bits >= T::BITS)
+    }
+
     /// `a / b`, or the largest value if the quotient overflows.
     pub fn saturating_div(a: Self, b: Self) -> Self {
         if a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) { T::MAX } else { a / b }

@@ -30,6 +30,9 @@ pub struct Package {
     /// Generic components; only their instances have C.
     #[serde(default)]
     pub templates: Vec<Template>,
+    /// Names of types that implement `Deref`, which no expression may use.
+    #[serde(default)]
+    pub derefs: Vec<String>,
     /// Refusals of the builder.
     pub errors: Vec<Refusal>,
 }

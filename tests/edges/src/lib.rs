@@ -151,6 +151,14 @@ macro_rules! integers {
                 checked_ilog2(a: $t) -> u32 { a.checked_ilog2().unwrap_or(99) }
                 midpoint(a: $t, b: $t) -> $t { a.midpoint(b) }
                 overflowing_add(a: $t, b: $t) -> $t { match a.overflowing_add(b) { (sum, true) => sum ^ 1, (sum, false) => sum } }
+                overflowing_shl(a: $t, b: u32) -> $t { match a.overflowing_shl(b) { (bits, true) => !bits, (bits, false) => bits } }
+                overflowing_shr(a: $t, b: u32) -> $t { match a.overflowing_shr(b) { (bits, true) => !bits, (bits, false) => bits } }
+                little_ended(a: $t) -> $t { <$t>::from_le(a).wrapping_sub(a.to_le()) }
+                big_ended(a: $t) -> $t { <$t>::from_be(a) }
+                to_big_end(a: $t) -> $t { a.to_be() }
+                wrapped(a: $t, b: $t) -> $t { let mut x = core::num::Wrapping(a) * core::num::Wrapping(b) - core::num::Wrapping(b); x += core::num::Wrapping(a); x ^= core::num::Wrapping(b); (!x).0 }
+                wrapped_quotient(a: $t, b: $t) -> $t { let mut x = core::num::Wrapping(a) / core::num::Wrapping(b); x /= core::num::Wrapping(3); x |= core::num::Wrapping(b); x &= core::num::Wrapping(a); x.0 }
+                wrapped_shift(a: $t, b: u8) -> $t { let mut x = core::num::Wrapping(a) << usize::from(b); x >>= 3; x <<= usize::from(b); (x >> usize::from(b)).0 }
                 overflowing_sub(a: $t, b: $t) -> $t { match a.overflowing_sub(b) { (less, true) => less ^ 1, (less, false) => less } }
                 overflowing_mul(a: $t, b: $t) -> $t { match a.overflowing_mul(b) { (much, true) => much ^ 1, (much, false) => much } }
                 wrapped_below(a: $t, b: $t) -> bool { <$t>::MAX.wrapping_sub(a) < b }

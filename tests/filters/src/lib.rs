@@ -7,7 +7,23 @@
 
 use bessemer::prelude::*;
 
+#[allow(hidden_glob_reexports)]
+mod cossin;
 pub mod quantities;
+/// A module of its function's name that is written out.
+pub mod turn {
+    use bessemer::prelude::*;
+
+    /// Returns a share of a turn, in rad.
+    #[function]
+    pub fn turn(share: f64) -> f64 {
+        share * core::f64::consts::TAU
+    }
+}
+
+#[allow(hidden_glob_reexports)]
+pub use cossin::*;
+pub use turn::*;
 
 /// The largest input, V.
 pub const LIMIT: f64 = 50.0;
@@ -102,4 +118,10 @@ pub fn larger<T: Real>(a: T, b: T) -> T {
 #[function]
 pub fn unused(x: f64) -> f64 {
     x + 1.0
+}
+
+/// Returns the point of the unit circle at a share of a turn.
+#[function]
+pub fn on_circle(share: f64) -> (f64, f64) {
+    cossin(turn(share))
 }

@@ -27,11 +27,18 @@ impl Lowering<'_, '_> {
         Ok(self.either("part", none, (there, some), span))
     }
 
-    /// Lowers such a conversion with its `unwrap`: a check, then the elements. Returns none for any other expression.
-    pub(super) fn unwrapped_array(&mut self, expr: &tree::Expr) -> Result<Option<Expr>> {
-        let Some((Builtin::Slice(method), arguments)) = self.builtin_call(expr) else {
-            return Ok(None);
-        };
+    /// Lowers `unwrap` of such a conversion, a check and the elements, or of one of a number to a float, which always exists.
+    /// Returns none for any other expression.
+    pub(super) fn unwrapped_whole(&mut self, expr: &tree::Expr) -> Result<Option<Expr>> {
+        let Some((builtin, arguments)) = self.builtin_call(expr) else { return Ok(None) };
+        if builtin == Builtin::TryFrom {
+            let Type::Struct(id) = self.slot_of(expr)? else { return Ok(None) };
+            let target = self.going_on(id).and_then(|name| self.payload_type(id, name));
+            let Some(target) = target.filter(|ty| ty.as_float().is_some()) else { return Ok(None) };
+            let value = self.value(&arguments[0], None)?;
+            return self.as_float(value, target, expr.site).map(Some);
+        }
+        let Builtin::Slice(method) = builtin else { return Ok(None) };
         let whole = match method {
             SliceMethod::ToArray => true,
             SliceMethod::FirstChunk => false,

@@ -1,7 +1,7 @@
 //! Lowers the DSL's own operations to IR nodes with their result types.
 
 use bessemer_ir::tree::{self, Builtin, MatrixMethod};
-use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
+use bessemer_ir::{Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type};
 
 use super::expr::Call;
 use super::kernels::shape;
@@ -12,23 +12,6 @@ use super::order::is_free;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
-/// Folds `N as f64`, where `N` is a const generic of the instance, into a literal.
-fn whole(value: Expr) -> Expr {
-    if let ExprKind::Cast(operand) = &value.kind
-        && let (ExprKind::Literal(word), Some(int)) = (&operand.kind, operand.ty.as_int())
-        && value.ty == Type::F64
-    {
-        let word = (int.from_word(*word) as f64).to_bits();
-        return Expr { kind: ExprKind::Literal(word), ..value };
-    }
-    value
-}
-
-/// Converts the bits of an `f64` to those of the nearest `f32`.
-fn single(word: u64) -> u64 {
-    u64::from((f64::from_bits(word) as f32).to_bits())
-}
-
 impl Lowering<'_, '_> {
     pub(super) fn builtin(&mut self, builtin: Builtin, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
@@ -36,8 +19,12 @@ impl Lowering<'_, '_> {
             Builtin::Scalar(op) => self.intrinsic(op, call),
             Builtin::Number(method) => self.number_method(method, call),
             Builtin::Bytes(order) => self.bytes(order, call),
-            Builtin::Real => self.real(Some(Type::F64), call),
-            Builtin::AsF64 => self.real(None, call),
+            Builtin::Real | Builtin::AsF64 => {
+                let expected = (builtin == Builtin::Real).then_some(Type::F64);
+                let value = self.value(&arguments[0], expected.as_ref())?;
+                let ty = self.slot_of(expr)?;
+                self.as_float(value, ty, expr.site)
+            }
             Builtin::TryFrom => self.if_it_fits(&arguments[0], expr),
             Builtin::Owned => self.read(&arguments[0], None),
             Builtin::Linear(routine) => self.routine(routine, call),
@@ -108,34 +95,6 @@ impl Lowering<'_, '_> {
         };
         let elements: Vec<_> = inside(rows).iter().flat_map(inside).collect();
         self.constructor(MatrixMethod::New, Call { arguments: &elements, expr })
-    }
-
-    /// Lowers `real(0.5)` and `x.as_f64()`: converts a float to the float type of the slot, a literal at compile
-    /// time.
-    fn real(&mut self, expected: Option<Type>, call: Call<'_>) -> Result<Expr> {
-        let Call { arguments, expr } = call;
-        let ty = self.slot_of(expr)?;
-        let value = whole(self.value(&arguments[0], expected.as_ref())?);
-        let kind = match value.kind {
-            _ if value.ty == ty => return Ok(value),
-            ExprKind::Literal(word) if ty == Type::F32 => ExprKind::Literal(single(word)),
-            // `real(GAIN)` in single precision is a constant of its own.
-            ExprKind::Const(id) if ty == Type::F32 => {
-                let Const { name, module, words, .. } = self.cx.module.consts[id.index()].clone();
-                let words: Vec<_> = words.into_iter().map(single).collect();
-                ExprKind::Const(self.cx.constant(&module, &format!("{name}_F32"), &ty, &words))
-            }
-            ExprKind::Unary(UnaryOp::Neg, operand) if ty == Type::F32 => {
-                let kind = match operand.kind {
-                    ExprKind::Literal(word) => ExprKind::Literal(single(word)),
-                    _ => ExprKind::Cast(operand.clone()),
-                };
-                let rounded = Expr { kind, ty: ty.clone(), span: operand.span };
-                ExprKind::Unary(UnaryOp::Neg, Box::new(rounded))
-            }
-            _ => ExprKind::Cast(Box::new(value)),
-        };
-        self.node(kind, ty, expr.site)
     }
 
     fn intrinsic(&mut self, op: Intrinsic, call: Call<'_>) -> Result<Expr> {

@@ -9,6 +9,7 @@ use bessemer_ir::{
     Type,
 };
 
+use super::conditions::has_let;
 use super::lowering::{Lowering, Target};
 use super::pattern::Test;
 use super::rewrite::is_pure;
@@ -152,7 +153,7 @@ impl Lowering<'_, '_> {
     ) -> Result<Test> {
         let mut test = self.test(&arm.pattern, subject, arm.site)?;
         let mark = self.out.len();
-        match last {
+        match last && !arm.guard.as_ref().is_some_and(has_let) {
             true => test.condition = None,
             false => self.guard(&mut test, arm.guard.as_ref(), None)?,
         }
@@ -171,6 +172,19 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let Some(guard) = guard else { return Ok(()) };
         self.alias_names(&test.names);
+        if has_let(guard) {
+            // Its names are those of the arm, too.
+            let mut names = Vec::new();
+            let before = test.condition.take();
+            test.condition = Some(match before {
+                Some(before) => {
+                    self.and_then(before, |inner| inner.pattern_condition(guard, &mut names))?
+                }
+                None => self.pattern_condition(guard, &mut names)?,
+            });
+            test.names.extend(names);
+            return Ok(());
+        }
         let asked = |inner: &mut Self| inner.value(guard, Some(&Type::BOOL));
         let span = self.span(site.unwrap_or(guard.site));
         test.condition = Some(match test.condition.take() {

@@ -116,10 +116,11 @@ impl<'a> Lowering<'a, '_> {
         site: Site,
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
-        if self.expanding.contains(&function.path.as_str()) {
+        if self.expanding.iter().any(|(path, _)| *path == function.path) {
             return refused(site, refusals::EXPANDS_ITSELF);
         }
-        let expanding = [&self.expanding[..], &[&function.path]].concat();
+        let called = (function.path.as_str(), self.span(site));
+        let expanding = [&self.expanding[..], &[called]].concat();
         self.from(
             function,
             Scope { names: vec![bound.into_iter().collect()], expanding, locals: None },

@@ -13,7 +13,7 @@ use super::destructure::Let;
 use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since};
 use super::names::split;
 use super::scopes::{Names, meaning_in};
-use super::syntax::control_with_value;
+use super::syntax::{control_with_value, is_of_library};
 use super::value::Value;
 use super::{Context, Needed, Result, names, problem, refusals, refused};
 use crate::fuse::fuse;
@@ -258,8 +258,12 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
+    /// Returns the place of a node; of the DSL's own code that is inlined, the place of the author's call.
     pub(super) fn span(&mut self, site: Site) -> Span {
-        self.cx.span(&self.source.file, site)
+        match self.expanding.last() {
+            Some((_, call)) if is_of_library(self.source) => *call,
+            _ => self.cx.span(&self.source.file, site),
+        }
     }
 
     /// Returns the type in a slot as a value type.

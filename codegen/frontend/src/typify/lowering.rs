@@ -7,7 +7,7 @@ use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use bessemer_ir::tree;
-use bessemer_ir::{Local, LocalId, Place, Stmt, Type};
+use bessemer_ir::{Local, LocalId, Place, Span, Stmt, Type};
 
 use super::Context;
 use super::borrowed::Lenders;
@@ -55,8 +55,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub hands: HashMap<usize, Hand>,
     /// True for each parameter that is zero-sized.
     pub absent: Vec<bool>,
-    /// Paths of the functions that are being inlined, outermost first.
-    pub expanding: Vec<&'a str>,
+    /// Paths of the functions that are being inlined, outermost first, each with the place of the author's call.
+    pub expanding: Vec<(&'a str, Span)>,
 }
 
 /// Returns the local that a place is, if its handle is at least `first`.
@@ -189,8 +189,8 @@ pub(super) struct Closure<'a> {
 #[derive(Clone)]
 pub(super) struct Scope<'a> {
     pub names: Vec<Names>,
-    /// Paths of the functions that were being inlined at its definition.
-    pub expanding: Vec<&'a str>,
+    /// Functions that were being inlined at its definition, as in [`Lowering::expanding`].
+    pub expanding: Vec<(&'a str, Span)>,
     /// Number of locals at its definition. None in a copy of a function for this closure, where its names denote
     /// parameters of the copy.
     pub locals: Option<usize>,

@@ -5,10 +5,10 @@
 //!
 //! Invariant: each method is one arm of [`spelt_out`], an exhaustive `match`.
 
-use bessemer_ir::tree::{self, ByteOrder, NumberMethod};
+use bessemer_ir::tree::{self, ByteOrder, NumberMethod, Site};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, Intrinsic, Place, Scalar, Span, Step, Type,
-    UnaryOp,
+    BinaryOp, CompareOp, Const, Expr, ExprKind, Float, Int, Intrinsic, LogicOp, Place, Scalar,
+    Span, Step, Type, UnaryOp,
 };
 
 use super::conditions::within;
@@ -258,29 +258,94 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// Lowers `u8::try_from(x)` of an integer: tests the range before the conversion.
+    /// Lowers `u8::try_from(x)` of an integer, and `num_traits::cast(x)` of any number: tests the range before the
+    /// conversion.
     pub(super) fn if_it_fits(&mut self, argument: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
         let (result, span) = (self.slot_of(expr)?, self.span(expr.site));
         let value = self.value(argument, None)?;
+        let id = struct_of(&result, expr.site, "a `Result` or an `Option`")?;
+        let name = self.going_on(id).needed(expr.site, "this is no `Result` and no `Option`")?;
+        let target = self.payload_type(id, name).unwrap_or(Type::Unit);
+        if target.as_float().is_some() {
+            // Every number is some float.
+            let number = self.as_float(value, target, expr.site)?;
+            return self.choice(id, 1, Some(number), expr.site);
+        }
         let place = self.hold(value);
-        let id = struct_of(&result, expr.site, "a `Result`")?;
-        let (Some((fits, _)), Some((beyond, _))) = (self.case(id, "Ok"), self.case(id, "Err"))
-        else {
-            return problem(expr.site, "this is not a `Result`", OUR_FAULT);
-        };
-        let target = self.payload_type(id, "Ok").unwrap_or(Type::Unit);
-        let (Some(from), Some(to)) = (place.ty.as_int(), target.as_int()) else {
-            return problem(expr.site, "this converts integers", OUR_FAULT);
-        };
         let x = place.load();
-        let bounds = (from.min().max(to.min()), from.max().min(to.max()));
-        let condition = within(&x, bounds, span);
+        let condition = match (place.ty.as_int(), place.ty.as_float(), target.as_int()) {
+            (Some(from), _, Some(to)) => {
+                within(&x, (from.min().max(to.min()), from.max().min(to.max())), span)
+            }
+            (_, Some(from), Some(to)) => within_integers(&x, from, to, span),
+            _ => return problem(expr.site, "this converts numbers", OUR_FAULT),
+        };
         let number = self.node(ExprKind::Cast(Box::new(x)), target, expr.site)?;
-        let there = self.choice(id, fits, Some(number), expr.site)?;
+        let there = self.choice(id, 1, Some(number), expr.site)?;
         if condition.is_literal() {
             return Ok(there);
         }
-        let nothing = self.choice(id, beyond, None, expr.site)?;
+        let nothing = self.choice(id, 0, None, expr.site)?;
         Ok(self.either("narrowed", nothing, (condition, there), span))
     }
+
+    /// Converts a number to a float type; a literal becomes one of that type.
+    pub(super) fn as_float(&mut self, value: Expr, ty: Type, site: Site) -> Result<Expr> {
+        let value = whole(value);
+        let kind = match value.kind {
+            _ if value.ty == ty => return Ok(value),
+            ExprKind::Literal(word) if value.ty.as_int().is_some() => {
+                let number = value.ty.as_int().map_or(0, |int| int.from_word(word));
+                return Ok(float(number as f64, number as f32, &ty, value.span));
+            }
+            ExprKind::Literal(word) if ty == Type::F32 => ExprKind::Literal(single(word)),
+            // `real(GAIN)` in single precision is a constant of its own.
+            ExprKind::Const(id) if ty == Type::F32 && value.ty == Type::F64 => {
+                let Const { name, module, words, .. } = self.cx.module.consts[id.index()].clone();
+                let words: Vec<_> = words.into_iter().map(single).collect();
+                ExprKind::Const(self.cx.constant(&module, &format!("{name}_F32"), &ty, &words))
+            }
+            ExprKind::Unary(UnaryOp::Neg, operand) if ty == Type::F32 && value.ty == Type::F64 => {
+                let kind = match operand.kind {
+                    ExprKind::Literal(word) => ExprKind::Literal(single(word)),
+                    _ => ExprKind::Cast(operand.clone()),
+                };
+                let rounded = Expr { kind, ty: ty.clone(), span: operand.span };
+                ExprKind::Unary(UnaryOp::Neg, Box::new(rounded))
+            }
+            _ => ExprKind::Cast(Box::new(value)),
+        };
+        self.node(kind, ty, site)
+    }
+}
+
+/// Folds `N as f64`, where `N` is a const generic of the instance, into a literal.
+fn whole(value: Expr) -> Expr {
+    if let ExprKind::Cast(operand) = &value.kind
+        && let (ExprKind::Literal(word), Some(int)) = (&operand.kind, operand.ty.as_int())
+        && value.ty == Type::F64
+    {
+        let word = (int.from_word(*word) as f64).to_bits();
+        return Expr { kind: ExprKind::Literal(word), ..value };
+    }
+    value
+}
+
+/// Converts the bits of an `f64` to those of the nearest `f32`.
+fn single(word: u64) -> u64 {
+    u64::from((f64::from_bits(word) as f32).to_bits())
+}
+
+/// Returns the condition that a float, rounded towards zero, is a value of an integer.
+fn within_integers(x: &Expr, from: Float, to: Int, span: Span) -> Expr {
+    let limit = |value: f64| float(value, value as f32, &x.ty, span);
+    let digits = if from == Float::F32 { f32::MANTISSA_DIGITS } else { f64::MANTISSA_DIGITS };
+    // One below the least value is a float only if the integer has as few bits.
+    let (op, least) = match to.signed() && to.bits() > digits {
+        true => (CompareOp::Ge, to.min()),
+        false => (CompareOp::Gt, to.min() - 1),
+    };
+    let above = Expr::compare(op, x.clone(), limit(least as f64)).at(span);
+    let below = Expr::compare(CompareOp::Lt, x.clone(), limit((to.max() + 1) as f64)).at(span);
+    Expr::logic(LogicOp::And, above, below)
 }

@@ -42,9 +42,9 @@ impl Lowering<'_, '_> {
     pub(super) fn unwrap(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Option<Expr>> {
         let Call { arguments, expr } = call;
         if method == OptionMethod::Unwrap
-            && let Some(array) = self.unwrapped_array(&arguments[0])?
+            && let Some(whole) = self.unwrapped_whole(&arguments[0])?
         {
-            return Ok(Some(array));
+            return Ok(Some(whole));
         }
         let place = self.held(&arguments[0])?;
         let held = self.unwrapped(&place, method == OptionMethod::UnwrapErr, expr.site)?;

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
 use super::rustc::{Mark, Message};
-use super::wording::{Once, UNNAMED, Words};
+use super::wording::{Once, UNMARKED, UNNAMED, Words};
 use bessemer_frontend::source::Sources;
 
 /// A message of rustc, with its rewording if there is one.
@@ -194,6 +194,9 @@ impl Causes {
                     let marked = marked.rsplit("::").next().unwrap_or_default();
                     causes.names.insert((file, marked.to_owned()));
                 }
+                Some(words) if words.title.starts_with(UNMARKED) => {
+                    causes.names.insert((file.clone(), Item::around(mark, sources).name));
+                }
                 Some(words) if words.title.starts_with("the trait `") => {
                     _ = causes.traits.insert(file)
                 }
@@ -223,6 +226,7 @@ impl Causes {
             names.any(|it| {
                 let it = it.trim_start_matches("&mut ").trim_start_matches('&');
                 let base = it.split(['<', '(']).next().unwrap_or_default();
+                let base = base.split(": ").next().unwrap_or_default();
                 let last = base.rsplit("::").next().unwrap_or_default();
                 set.contains(&(file.clone(), last.trim_start_matches("__b_").to_owned()))
             })
@@ -311,6 +315,8 @@ impl Item {
             if mark.is_attribute() { below.chain(above).collect() } else { above.collect() };
         for line in lines {
             let text = sources.line(&file, line).unwrap_or_default();
+            // A lifetime begins no item.
+            let text = text.replace("'static", "");
             let mut words = text.split(|it: char| !it.is_alphanumeric() && it != '_');
             let begins = |word: &&str| {
                 ["fn", "struct", "enum", "union", "trait", "type", "static", "const"].contains(word)

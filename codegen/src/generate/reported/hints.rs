@@ -15,12 +15,18 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         "E0277" if title.contains("f64: Ord") || title.contains("f32: Ord") => match &*marked {
             "max" => "floats have no greatest with NaN among them: `.fold(f64::NEG_INFINITY, |a, b| a.max(b))`",
             "min" => "floats have no least with NaN among them: `.fold(f64::INFINITY, |a, b| a.min(b))`",
-            _ => "order floats by `total_cmp`: `values.sort_unstable_by(|a, b| a.total_cmp(b))`",
+            _ => ORDER,
         }
         .to_owned(),
-        "E0308" => converted(message.mark()?.label)?,
+        "E0308" => converted(message.mark()?.label).or_else(|| mismatched(message.mark()?))?,
         "E0599" if quoted.first() == Some(&"clone") && title.contains("struct") => COPY.to_owned(),
         "E0277" if title.ends_with(": Copy` is not satisfied") => COPY.to_owned(),
+        "E0382" if message.rendered.contains("consider restricting type parameter")
+            || message.rendered.contains("consider further restricting type parameter")
+            || message.rendered.contains("move occurs because") && has_parameter(message) =>
+        {
+            "require it of the type parameter: `T: Copy`, or a bound that implies it, such as `T: Real`".to_owned()
+        }
         "E0382" | "E0507" if message.rendered.contains("does not implement the `Copy` trait") => {
             format!("{COPY}; or pass it by reference: `&{marked}`")
         }
@@ -29,6 +35,30 @@ pub fn of(message: &Message<'_>) -> Option<String> {
                 && message.marked_below().any(|it| it.line.contains("enum ")) =>
         {
             "derive it, `#[derive(Default)]` below `#[data]`, and write `#[default]` above a variant".to_owned()
+        }
+        "E0277" if title.contains("]: Default` is not satisfied") => {
+            "Rust has no `Default` of arrays of more than 32 elements: write the value, `[0.0; 40]`; below an attribute of the DSL `#[derive(Default)]` takes such fields".to_owned()
+        }
+        "E0277" if title.contains("cannot be built directly from an iterator") => {
+            "map the array itself, `values.map(|x| 2.0 * x)`, or write `core::array::from_fn(|i| …)`".to_owned()
+        }
+        "E0067" | "E0070" => {
+            format!("a constant does not change: {}", types::STATE)
+        }
+        "E0499" if message.rendered.contains("[_]") => {
+            "write `values.swap(0, 1)` for an exchange, and `values.split_at_mut(1)` for parts that are changed at once".to_owned()
+        }
+        "E0600" if title.contains("`f64`") || title.contains("`f32`") => {
+            "compare the number: `x == 0.0`".to_owned()
+        }
+        "E0369" if title.contains("f64 >> ") || title.contains("f32 >> ") => {
+            "divide, or multiply by a power of two: `0.5 * x`".to_owned()
+        }
+        "E0369" if title.contains("f64 << ") || title.contains("f32 << ") => {
+            "multiply by a power of two: `2.0 * x`".to_owned()
+        }
+        "E0609" if quoted.get(1).is_some_and(|it| it.contains("Vector<") || it.contains("Matrix<")) => {
+            "index the element: `v[3]`, `m[(row, column)]`; a vector has as many of `x`, `y`, `z` and `w` as components".to_owned()
         }
         "E0608" if message.mark()?.before().ends_with(']') => {
             "write `m[(row, column)]`, with indices from 0".to_owned()
@@ -72,7 +102,13 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         "E0435" => {
             "the length of an array must be a constant, `[0.0; 16]`; use a `List<f64, 16>` for a varying number of elements".to_owned()
         }
+        "E0599" if quoted.first() == Some(&"norm") && title.contains("Complex") => {
+            "write `z.abs()`, or `bessemer::complex::norm(&z)`".to_owned()
+        }
         "E0599" if quoted.get(1).is_some_and(|it| matches!(*it, "f64" | "f32")) => match *quoted.first()? {
+            "pow" => POWER.to_owned(),
+            "sqr" | "square" | "squared" => "write a square as `x * x`".to_owned(),
+            "sind" | "cosd" | "tand" => "convert the angle: `x.to_radians().sin()`".to_owned(),
             "saturating_add" | "saturating_sub" | "saturating_mul" => {
                 "floats do not overflow: add, and keep the sum within limits with `.clamp(low, high)`".to_owned()
             }
@@ -93,6 +129,42 @@ pub fn of(message: &Message<'_>) -> Option<String> {
 pub const ENDS: &str = "name its two ends: `core::ops::Range { start: a, end: b }`";
 
 const COPY: &str = "derive `Copy`: write `#[derive(Clone, Copy)]` below `#[data]`";
+
+/// Remedy for an order of floats.
+pub const ORDER: &str =
+    "order floats by `total_cmp`: `values.sort_unstable_by(|a, b| a.total_cmp(b))`";
+
+/// Returns true if a moved value is of a type parameter.
+fn has_parameter(message: &Message<'_>) -> bool {
+    let moved = message.rendered.split("has type `").nth(1);
+    moved.and_then(|it| it.split('`').next()).is_some_and(types::is_parameter)
+}
+
+/// Returns the remedy for a value of another kind than required, judging by rustc's label.
+fn mismatched(mark: &super::rustc::Mark<'_>) -> Option<String> {
+    let (wanted, found) = mark.label.strip_prefix("expected ")?.split_once(", found ")?;
+    let is_float = |it: &str| matches!(it, "`f64`" | "`f32`");
+    let is_integer = |it: &str| it == "integer" || it.starts_with("`i") || it.starts_with("`u");
+    let is_optional = |it: &str| it.starts_with("`Option<");
+    let remedy = match () {
+        () if wanted == "`bool`" && is_float(found) => "compare the number: `x > 0.0`",
+        () if wanted == "`bool`" && is_integer(found) => "compare the number: `x != 0`",
+        () if is_float(wanted) && found == "integer" => {
+            "write the numbers with a point: `1.0 / 100.0`"
+        }
+        () if wanted.starts_with("type parameter") && found == "floating-point number" => {
+            "write `real(0.5)`, the literal of a type `T: Real`"
+        }
+        () if is_optional(found) => {
+            "unwrap the value: `if let Some(value) = … { … }`, `.copied().unwrap_or(0.0)`"
+        }
+        () if is_optional(wanted) => {
+            "unwrap the other value: `if let Some(value) = … { … }`, `.is_some_and(|value| *value > 0.0)`"
+        }
+        () => return None,
+    };
+    Some(remedy.to_owned())
+}
 
 /// Returns the remedy for a number of another type than expected.
 fn converted(label: &str) -> Option<String> {
@@ -178,12 +250,23 @@ pub fn dimensions(message: &Message<'_>) -> Option<(String, String)> {
         return None;
     }
     let notes: Vec<String> = message.below().map(types::shown).collect();
-    let (left, operation) = notes.iter().find_map(|note| {
+    let written = || {
+        let title = types::shown(message.title);
+        let (_, sizes) = title.split_once("DimEq<Const<")?;
+        let (one, other) = sizes.split_once(">, Const<")?;
+        let (one, other) = (one.to_owned(), other.split('>').next()?.to_owned());
+        Some((
+            format!("these matrices do not fit: a dimension is {one} in one and {other} in the other"),
+            "a product needs as many columns on the left as rows on the right, and a sum equal sizes; of two vectors write `a.dot(&b)` or `a.component_mul(&b)`, and transpose with `a.transpose()` or `a.tr_mul(&b)`".to_owned(),
+        ))
+    };
+    let found = notes.iter().find_map(|note| {
         note.strip_prefix("required for `")?
             .split_once("` to implement `")
             .filter(|(_, it)| it.contains('<'))
             .filter(|(left, _)| !left.contains("ShapeConstraint"))
-    })?;
+    });
+    let Some((left, operation)) = found else { return written() };
     let (of, right) = operation.trim_end_matches('`').split_once('<')?;
     let right = right.strip_suffix('>')?;
     let (left, right) = (types::written(left), types::written(right));

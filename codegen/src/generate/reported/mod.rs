@@ -9,7 +9,9 @@
 //! Must not know: how cargo is called.
 
 mod causes;
+mod foreign;
 mod hints;
+mod origins;
 mod place;
 mod remedies;
 mod rustc;
@@ -20,13 +22,16 @@ use serde_json::Value;
 
 use bessemer_frontend::diagnostic::{Diagnostic, Level, Place};
 use bessemer_frontend::source::Sources;
+use origins::Origins;
 use rustc::Message;
 use wording::Words;
 
 /// Returns the diagnostics for rustc's messages, which cargo passes on.
 pub fn reported(messages: &[Value], sources: &Sources) -> Vec<Diagnostic> {
     let all: Vec<Message<'_>> = messages.iter().filter_map(Message::of).collect();
-    let worded = all.iter().map(|message| (message, wording::of(message))).collect();
+    let origins = Origins::of(messages, sources);
+    let words = |message| foreign::of(message, &origins).or_else(|| wording::of(message));
+    let worded = all.iter().map(|message| (message, words(message))).collect();
     let reported = causes::once(worded, sources);
     reported.into_iter().map(|(message, words)| diagnostic(message, words, sources)).collect()
 }

@@ -10,13 +10,19 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
             "compare generic values with `<`: `if b < a { b } else { a }`"
         }
         _ if generic || !is_known(owner) => return None,
+        "abs" if owner.starts_with('u') => {
+            "an unsigned number has no sign, and `a - b` faults below 0: write `a.abs_diff(b)`"
+        }
+        "sqrt" if !owner.starts_with('f') => {
+            "write `n.isqrt()`, which rounds down, or `f64::from(n).sqrt()`"
+        }
         "pseudo_inverse" => "write `bessemer::linear::svd(&a).pseudo_inverse(least)`",
         "zip_zip_map" => "write `zip_map` twice, or `from_fn(|row, column| …)`",
         "eq" | "ne" | "lt" | "le" | "gt" | "ge" => {
             "compare with `==`, `<` and the like; all elements with `a[..] == b[..]`"
         }
         "midpoint" => "write `0.5 * (a + b)`",
-        "to_be" | "to_le" | "to_ne_bytes" | "from_be" | "from_le" | "from_ne_bytes" => {
+        "to_ne_bytes" | "from_ne_bytes" => {
             "write `to_be_bytes`, `from_le_bytes` and the like: the same on every target"
         }
         "is_sorted_by" | "is_sorted_by_key" => {
@@ -69,6 +75,40 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
         | "new_rotation_wrt_point" => ANGLES,
         _ => return None,
     })
+}
+
+/// Returns the remedy for an item of another crate, which has no attributes: the DSL's equivalent, if there is one.
+pub fn of_crate(name: &str) -> &'static str {
+    match name {
+        "libm" | "micromath" => {
+            "call the method of the float, `x.sin()`: its bits are the same in Rust and C; write other functions out in a function marked `#[function]`"
+        }
+        "num_traits" | "num" | "num_integer" => {
+            "call a method of `Zero`, `One`, `Bounded`, `Float`, `FloatCore`, `Signed`, `NumCast`, `AsPrimitive` and the like, of numbers; or declare a trait of your own with `#[interface]`"
+        }
+        "nalgebra" | "simba" => {
+            "docs/book/reference/methods.md lists the methods of nalgebra that the DSL has, for the version of nalgebra that `bessemer` has: `use bessemer::nalgebra;`"
+        }
+        "crc" | "crc32fast" | "crc16" => {
+            "compute the checksum in a function marked `#[function]`: a loop over the bytes that shifts and takes `^` with the polynomial, or a table in a `const`"
+        }
+        "bitfield" | "bitfield_struct" | "modular_bitfield" | "bitflags" => {
+            "declare `#[data] struct Register(u16);` with methods that shift and mask"
+        }
+        "heapless" | "arrayvec" | "smallvec" | "tinyvec" => {
+            "use the DSL's `List<T, N>`, a list of at most `N` elements, or `Text<N>`, a text of at most `N` bytes"
+        }
+        "fixed" => {
+            "store an integer and its scale: `#[data] struct Q15(i16);` with operators of its own"
+        }
+        "uom" | "dimensioned" => "store the number, and name its unit: `#[unit(\"m/s\")]`",
+        "rand" | "rand_core" | "fastrand" => {
+            "pass random values to the entry point as an argument, or write the generator in a type marked `#[data]`"
+        }
+        _ => {
+            "nobody can mark another crate's code: write it in a function or a type of your own that is marked, or pass its result to the entry point as an argument"
+        }
+    }
 }
 
 const ANGLES: &str = "nalgebra calls the platform's sine and cosine here: call the function of `bessemer::rotation`, `from_euler_angles(roll, pitch, yaw)`, `from_axis_angle(&axis, angle)`, `from_scaled_axis(v)`, `matrix_from_euler_angles(…)` and the like";

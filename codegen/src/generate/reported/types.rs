@@ -93,6 +93,28 @@ pub fn instead(ty: &str) -> Option<&'static str> {
     })
 }
 
+/// Returns the replacement for a stored iterator of Rust; an author may have a type of such a name.
+pub fn iterator(ty: &str) -> Option<&'static str> {
+    const NAMES: [&str; 13] = [
+        "Rev",
+        "Map",
+        "Filter",
+        "Enumerate",
+        "Zip",
+        "Chain",
+        "Skip",
+        "Take",
+        "StepBy",
+        "Peekable",
+        "Cycle",
+        "Iter",
+        "IterMut",
+    ];
+    NAMES.contains(&name(ty)).then_some(
+        "an iterator is no data: store the index of the next element, and iterate inside a method",
+    )
+}
+
 /// Remedy for state outside of a component.
 pub const STATE: &str =
     "keep state in a field of the component, which methods change through `&mut self`";

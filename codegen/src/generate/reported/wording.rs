@@ -30,7 +30,8 @@ pub enum Once {
     File,
 }
 
-fn words(title: impl Into<String>, help: impl Into<String>) -> Option<Words> {
+/// Returns words for a mistake of a function or a type.
+pub fn words(title: impl Into<String>, help: impl Into<String>) -> Option<Words> {
     let (title, help) = (title.into(), help.into());
     Some(Words { title, help, of_type: None, once: Once::Item, is_refusal: false })
 }
@@ -40,8 +41,10 @@ pub fn of(message: &Message<'_>) -> Option<Words> {
     if !message.is_error {
         return None;
     }
-    const EACH: [fn(&Message<'_>) -> Option<Words>; 9] =
-        [refused, attribute, function, pattern, interface, ty, builders, dimensions, global];
+    const EACH: [fn(&Message<'_>) -> Option<Words>; 12] = [
+        refused, attribute, unmarked, initial, order, function, pattern, interface, ty, builders,
+        dimensions, global,
+    ];
     EACH.iter().find_map(|it| it(message)).or_else(|| unnamed(message))
 }
 
@@ -100,8 +103,13 @@ fn ty(message: &Message<'_>) -> Option<Words> {
     let inner = types::innermost(full);
     let name = types::name(inner);
     let declared = message.marked_below().find(|it| it.is_authors());
-    let help = match (types::instead(inner), &declared) {
+    let iterator = types::iterator(inner).filter(|_| declared.is_none());
+    let help = match (types::instead(inner).or(iterator), &declared) {
         (Some(help), _) => help.to_owned(),
+        (None, Some(mark)) if !is_declaration(mark) => format!(
+            "`{}` declares it, and an item of a macro cannot be marked: declare `#[data] struct {name}(u16);` with methods that shift and mask, or a struct of the fields",
+            made_by(mark)
+        ),
         (None, Some(_)) => format!("mark `{name}` `#[data]`"),
         _ if full.starts_with("{closure") || full.contains(" {") || full.starts_with("fn(") => {
             "call it, or pass it to a function that takes `impl Fn(f64) -> f64`".to_owned()
@@ -113,6 +121,18 @@ fn ty(message: &Message<'_>) -> Option<Words> {
     let mut reported = words(format!("`{shown}` is not a type of the DSL"), help)?;
     reported.of_type = Some(name.to_owned());
     Some(reported)
+}
+
+/// Returns true if a marked line begins a struct or an enum of the author's, not a macro that makes one.
+fn is_declaration(mark: &Mark<'_>) -> bool {
+    let mut words = mark.line.split(|it: char| !it.is_alphanumeric() && it != '_');
+    words.any(|it| ["struct", "enum", "union"].contains(&it)) && !mark.line.contains('!')
+}
+
+/// Returns the macro in a marked line.
+fn made_by<'a>(mark: &'a Mark<'_>) -> &'a str {
+    let end = mark.line.find('!').map_or(mark.line.len(), |at| at + 1);
+    mark.line[..end].trim()
 }
 
 /// Rewords matrices of different dimensions.
@@ -157,9 +177,105 @@ fn unnamed(message: &Message<'_>) -> Option<Words> {
     })?
 }
 
+/// First words about a function without attribute.
+pub const UNMARKED: &str = "the function around this is not marked";
+
+/// Rewords a method of floats that only marked functions have where there is no `std`.
+fn unmarked(message: &Message<'_>) -> Option<Words> {
+    let quoted = message.quoted();
+    let [method, owner, ..] = quoted.as_slice() else { return None };
+    let is_float = matches!(*owner, "f64" | "f32" | "{float}");
+    let is_method = message.title.starts_with("no method named");
+    if !is_method || !is_float || !OF_FLOATS.contains(method) {
+        return None;
+    }
+    let title = format!("{UNMARKED}: without `std` it has no `{method}` of `{owner}`");
+    words(
+        title,
+        "mark it `#[function]`; a method, by `#[data]` or `#[component]` on its `impl` block",
+    )
+}
+
+/// Methods of floats that `core` does not have.
+const OF_FLOATS: [&str; 35] = [
+    "acos",
+    "acosh",
+    "asin",
+    "asinh",
+    "atan",
+    "atan2",
+    "atanh",
+    "cbrt",
+    "cos",
+    "cosh",
+    "div_euclid",
+    "exp",
+    "exp2",
+    "exp_m1",
+    "hypot",
+    "ln",
+    "ln_1p",
+    "log",
+    "log10",
+    "log2",
+    "mul_add",
+    "powf",
+    "powi",
+    "rem_euclid",
+    "sin",
+    "sin_cos",
+    "sinh",
+    "sqrt",
+    "tan",
+    "tanh",
+    "floor",
+    "ceil",
+    "round",
+    "trunc",
+    "fract",
+];
+
+/// Rewords a comparison in a sort whose closure returns no order.
+fn order(message: &Message<'_>) -> Option<Words> {
+    let is_ours = message.code == "E0599" && message.quoted().first() == Some(&"is_lt");
+    is_ours
+        .then(|| words("the closure of `sort_by` does not return an `Ordering`", hints::ORDER))?
+}
+
+/// Rewords a state whose parameter has no `Default`, or is not marked: a mark of the state's type, `Motor<On>`.
+fn initial(message: &Message<'_>) -> Option<Words> {
+    let of = message
+        .title
+        .strip_prefix("the trait bound `")?
+        .strip_suffix(": Default` is not satisfied")?;
+    if message.code != "E0277"
+        || !message.rendered.contains("bessemer::generate")
+            && !message.rendered.contains("introduced by this call")
+    {
+        return None;
+    }
+    let of = types::within_modules(of);
+    let reported = words(
+        format!("`{of}` has no `Default`, which the initial state requires"),
+        format!(
+            "mark it `#[data]`, and derive `Clone`, `Copy` and `Default` below: `#[data] #[derive(Clone, Copy, Default)] pub struct {of};`"
+        ),
+    )?;
+    Some(Words { once: Once::File, ..reported })
+}
+
 /// Rewords the call of an unmarked function, which has no builder.
 fn function(message: &Message<'_>) -> Option<Words> {
-    let label = message.mark()?.label.strip_suffix(" is not a crate or module")?;
+    let label = message.mark()?.label;
+    // One of a module: `expected type, found function `limit` in `tools``.
+    if let Some(of_module) = label.strip_prefix("expected type, found function `") {
+        let name = of_module.split('`').next()?;
+        return words(
+            format!("`{name}` is not part of the DSL"),
+            "mark the function `#[function]`",
+        );
+    }
+    let label = label.strip_suffix(" is not a crate or module")?;
     if let Some(name) = label.strip_prefix("constant ").or_else(|| label.strip_prefix("static ")) {
         return words(
             format!("{name} has a lower-case name, which is read as a function here"),
@@ -187,6 +303,7 @@ fn pattern(message: &Message<'_>) -> Option<Words> {
     if ["E0223", "E0599"].contains(&message.code)
         && message.rendered.contains("__b_")
         && !message.title.contains("__")
+        && !message.title.starts_with("no method named")
     {
         return words(
             "a type alias with a lower-case name cannot be used to call a function",
@@ -238,7 +355,7 @@ fn builders(message: &Message<'_>) -> Option<Words> {
         } else if method == "clone" {
             "derive `Clone` below `#[data]`; build a value with a slice again"
         } else if types::is_known(&owner) {
-            "write it out with supported operations: see docs/book/reference/methods.md"
+            "write it out with supported operations: see docs/book/reference/methods.md; if a trait of your own has it, mark the trait `#[interface]` and its `impl` blocks `#[data]`"
         } else {
             "mark the `impl` block that has it `#[data]` or `#[component]`"
         };

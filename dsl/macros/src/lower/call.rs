@@ -16,7 +16,8 @@ use super::pattern::is_constant_name;
 use super::refuse;
 use super::syntax::{is_constructor_name, last_segment};
 use super::walk::Lowering;
-use crate::owned::{associated, of_libm, of_nalgebra, of_turns};
+use crate::numeric;
+use crate::owned::{associated, of_libm, of_nalgebra, of_num_traits, of_turns};
 
 impl Lowering {
     pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
@@ -53,9 +54,14 @@ impl Lowering {
 
     /// Redirects a path from nalgebra or `libm` to the DSL's function; returns the reason if it is not available.
     pub(super) fn redirected(&self, function: &mut syn::ExprPath) -> Option<refuse::Reason> {
-        let own = of_libm(&function.path).or_else(|| of_nalgebra(&function.path));
+        let own = of_libm(&function.path)
+            .or_else(|| of_nalgebra(&function.path))
+            .or_else(|| of_num_traits(&function.path));
         if let Some(own) = own.filter(|_| function.qself.is_none()) {
             function.path = own;
+        }
+        if let Some(own) = numeric::by_companions(function) {
+            *function = own;
         }
         if function.qself.is_none() && self.is_itself(&function.path) {
             return Some(refuse::RECURSION);

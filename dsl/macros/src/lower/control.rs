@@ -59,6 +59,14 @@ impl Lowering {
         tree::Expr { kind, site: place, slot: None }
     }
 
+    /// Lowers the guard of an arm. The arm may use the names of its patterns, so `looks` records them there.
+    fn guard(&mut self, expr: &mut syn::Expr, looks: &mut Vec<syn::Stmt>) -> tree::Expr {
+        match has_let(expr) {
+            true => self.condition(expr, looks),
+            false => self.value(expr),
+        }
+    }
+
     /// Lowers a branch of an `if`. If no value is wanted, a tail without semicolon is a statement.
     pub(super) fn branch(&mut self, block: &mut syn::Block, value: bool) -> tree::Block {
         let mut lowered = self.block(block);
@@ -84,7 +92,7 @@ impl Lowering {
                 let (pattern, guard) = match &mut arm.pat {
                     syn::Pat::Guard(it) => {
                         let pattern = walk.pattern_of(lent, &it.pat, &mut looks);
-                        (pattern, Some(walk.value(&mut it.guard)))
+                        (pattern, Some(walk.guard(&mut it.guard, &mut looks)))
                     }
                     pattern => (walk.pattern_of(lent, pattern, &mut looks), None),
                 };

@@ -12,7 +12,8 @@ use super::sort::Leg;
 use super::syntax::{bare, fresh, is_plain, names};
 use super::walk::Lowering;
 use super::{macros, sort};
-use crate::owned::{ONCE, by_method};
+use crate::numeric;
+use crate::owned::{ONCE, by_method, is_of_nalgebra};
 
 /// Modules of core whose functions have companions, and these functions.
 const OF_CORE: [(&str, &[&str]); 3] =
@@ -24,8 +25,13 @@ impl Lowering {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
             syn::Expr::Call(it) => {
-                let Some(method) = by_method(it) else { return self.of_core(it) };
-                if let syn::Expr::Path(function) = &*it.func {
+                let syn::Expr::Path(function) = &*it.func else { return None };
+                let Some(method) =
+                    by_method(it, numeric::is_of_num_traits).or_else(|| numeric::by_method(it))
+                else {
+                    return self.of_core(it);
+                };
+                if is_of_nalgebra(&function.path) {
                     self.ask_home(&function.path);
                 }
                 return Some(method);

@@ -83,5 +83,6 @@ fn by_key(closure: &syn::ExprClosure, leg: Leg) -> syn::Expr {
 
 fn by_comparison(closure: &syn::ExprClosure) -> syn::Expr {
     let (inputs, body) = (&closure.inputs, &closure.body);
-    parse_quote! { |#inputs| { #body }.is_lt() }
+    // rustc reports a value that is no `Ordering` at the closure.
+    parse_quote_spanned! { body.span() => |#inputs| { #body }.is_lt() }
 }

@@ -6,6 +6,7 @@ use syn::visit_mut::{self, VisitMut};
 
 use super::refuse::Refusals;
 use super::{loops, refuse};
+use crate::conditions::{conditional, is_harmless};
 
 /// Refuses the attributes of an item, field or method that would make the C differ from the Rust.
 ///
@@ -20,7 +21,8 @@ pub fn check_attributes(attributes: &[syn::Attribute], refusals: &mut Refusals) 
 
 /// Returns true for an attribute that conditionally removes its item.
 fn is_conditional(attribute: &syn::Attribute) -> bool {
-    attribute.path().get_ident().is_some_and(|name| name.to_string().starts_with("cfg"))
+    let path = attribute.path();
+    path.is_ident("cfg") || path.is_ident("cfg_attr") && conditional(attribute).is_none()
 }
 
 /// Removes attributes and lifetimes from a copy of a function.
@@ -86,19 +88,16 @@ struct Strip<'a> {
     refusals: &'a mut Refusals,
 }
 
-/// Attributes without influence on the behaviour.
-const HARMLESS: &[&str] = &["allow", "warn", "deny", "forbid", "expect", "doc"];
-
 impl VisitMut for Strip<'_> {
     fn visit_attributes_mut(&mut self, attributes: &mut Vec<syn::Attribute>) {
         check_attributes(attributes, self.refusals);
-        for attribute in attributes.drain(..) {
-            let path = attribute.path();
-            let name =
-                path.segments.first().map(|first| first.ident.to_string()).unwrap_or_default();
-            let tool = ["rustfmt", "clippy"].contains(&name.as_str());
-            if !tool && !is_conditional(&attribute) && !HARMLESS.contains(&name.as_str()) {
-                self.refusals.add(path, refuse::ATTRIBUTE);
+        for attribute in attributes.drain(..).filter(|it| !is_conditional(it)) {
+            let added = match attribute.path().is_ident("cfg_attr") {
+                true => conditional(&attribute).unwrap_or_default(),
+                false => vec![attribute.meta.clone()],
+            };
+            if !added.iter().all(|it| is_harmless(it.path())) {
+                self.refusals.add(attribute.path(), refuse::ATTRIBUTE);
             }
         }
     }

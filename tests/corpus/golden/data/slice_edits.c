@@ -2,23 +2,29 @@
 
 /* slice_edits.c */
 
-bessemer_status_t slice_edits_record(float samples[5], float sample)
+void slice_edits_record(float samples[5], float sample)
 {
-    bessemer_status_t status;
-    status = slice_edit_rotate_right_f32(samples, UINT64_C(5), UINT64_C(1));
-    if (status != BESSEMER_STATUS_OK) {
-        return status;
+    const float last = samples[4];
+    for (uint32_t i = 5U; i-- > 1U;) {
+        samples[i] = samples[i - 1U];
     }
+    samples[0] = last;
     samples[0] = sample;
-    return BESSEMER_STATUS_OK;
 }
 
 bessemer_status_t slice_edits_consume(uint8_t buffer[8], uint64_t read)
 {
-    bessemer_status_t status;
-    status = slice_edit_copy_behind_within_u8(buffer, UINT64_C(8), read, UINT64_C(0));
-    if (status != BESSEMER_STATUS_OK) {
-        return status;
+    if (read > UINT64_C(8) || false) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    if (true) {
+        for (uint64_t i = read; i < UINT64_C(8); i++) {
+            buffer[i - read] = buffer[i];
+        }
+    } else {
+        for (uint64_t i = UINT64_C(8); i-- > read;) {
+            buffer[i - read] = buffer[i];
+        }
     }
     return BESSEMER_STATUS_OK;
 }
