@@ -324,6 +324,16 @@ pub fn reduce<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T, T) -> T) -
 #[function(expand)]
 pub fn eq<T: PartialEq<U>, U>(
     items: impl Iterator<Item = T>,
+    others: impl Iterator<Item = U>,
+) -> bool {
+    equal_items(items, others)
+}
+
+/// Returns true if each item equals the other one in its place, and their numbers are equal. Where Rust knows both numbers,
+/// it compares these first.
+#[function(expand)]
+pub fn equal_items<T: PartialEq<U>, U>(
+    items: impl Iterator<Item = T>,
     mut others: impl Iterator<Item = U>,
 ) -> bool {
     let mut same = true;

@@ -11,5 +11,6 @@
 pub mod diagnostic;
 pub mod fuse;
 pub mod source;
+mod standard;
 mod termination;
 pub mod typify;

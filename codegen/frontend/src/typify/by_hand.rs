@@ -15,16 +15,20 @@ use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{
     self, BinaryOp, EACH, ExprKind as Tree, NO_SLOT, Pattern, Site, Source, Stmt,
 };
-use bessemer_ir::{Expr, ExprKind, Int, Local, LocalId, Scalar, Type};
+use bessemer_ir::{
+    Block, CompareOp, Expr, ExprKind, Int, Local, LocalId, Scalar, Span, StmtKind, Type,
+};
 
 use super::choice::takes_all;
 use super::items::handing;
 use super::lowering::{Closure, Hand, Lowering};
 use super::mentions::mentions;
 use super::scopes::{Names, meaning_in};
+use super::single_pass::single_pass;
 use super::syntax::{generates, some_of};
 use super::value::Value;
 use super::{Needed, Result, refusals, refused};
+use crate::standard::{is_enumerate, is_zip};
 
 /// Library function for `Iterator::next`.
 const NEXT: &str = "bessemer::iterate::next";
@@ -32,10 +36,6 @@ const NEXT: &str = "bessemer::iterate::next";
 /// Library functions that compare two iterators. If std knows both lengths, it compares these first and may take no
 /// item.
 const COMPARED: [&str; 2] = ["bessemer::iterate::eq", "bessemer::iterate::ne"];
-
-/// Path of the adapter `zip`. If std knows both lengths, a fold over it takes exactly as many items as the shorter
-/// side has.
-const ZIP: &str = "bessemer::adapt::zip";
 
 /// Name of an item's index, in the pattern of a counted loop.
 const TAKEN: &str = "index%";
@@ -45,6 +45,17 @@ const WITHIN: &str = "within%";
 
 /// Name of an iterator with as many items as another has left; a `while let` loops over it.
 const PASSES: &str = "passes%";
+
+/// A change of the innermost loop of an iterator.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Change {
+    /// It begins after the taken items.
+    Begin,
+    /// It also counts each item.
+    Count,
+    /// It ends after a number of items.
+    End,
+}
 
 /// Returns true for the pattern of a loop that counts the items it takes: it also binds an index. Such a loop is
 /// neither reversed nor zipped.
@@ -99,7 +110,8 @@ impl<'a> Lowering<'a, '_> {
         let [counted, again] = both.each_mut().map(|it| &mut *it.text.body);
         // Where it was written, its calls have their numbers.
         let (counts, own) = self.in_scope_of(&through, None, site, |inner| {
-            let counts = inner.count(counted, &taken, true) && inner.count(again, &taken, false);
+            let counts = inner.count(counted, &taken, Change::Count)
+                && inner.count(again, &taken, Change::Begin);
             Ok((counts, inner.own_below(again)))
         })?;
         if !counts {
@@ -272,7 +284,7 @@ impl<'a> Lowering<'a, '_> {
         argument: &tree::Expr,
     ) -> Result<()> {
         let path = format!("{}::{}", function.module, function.tree.name);
-        let open = COMPARED.contains(&&*path) || path == ZIP && handed;
+        let open = COMPARED.contains(&&*path) || is_zip(function) && handed;
         match self.iterator_named(argument) {
             Some(named) if open && self.hands.contains_key(&named) => {
                 refused(argument.site, refusals::TAKEN_BY_LENGTH)
@@ -287,21 +299,42 @@ impl<'a> Lowering<'a, '_> {
         matches!(&value.kind, ExprKind::Load(place) if counts.any(|it| it.local == place.root))
     }
 
-    /// Changes a loop to begin after the taken items; with `counts` it also counts each item. Returns false for a
-    /// loop that cannot be changed.
-    fn count(&mut self, through: &mut tree::Expr, taken: &str, counts: bool) -> bool {
+    /// Returns the statements of a loop that takes only the next item of an iterator, without the loop: it has one
+    /// pass, or none.
+    pub(super) fn at_most_once(&self, kind: &StmtKind, span: Span) -> Option<Block> {
+        let StmtKind::For { variable, from, to, inclusive, reversed: false, ended, body, .. } =
+            kind
+        else {
+            return None;
+        };
+        if *ended && *inclusive && from.is_literal() && from == to {
+            return single_pass(&body.0);
+        }
+        if *inclusive || !self.is_taken(from) {
+            return None;
+        }
+        let mut then =
+            Block::of(StmtKind::Let { local: *variable, value: Some(from.clone()) }, span);
+        then.0.extend(single_pass(&body.0)?.0);
+        let condition = Expr::compare(CompareOp::Lt, from.clone(), to.clone());
+        Some(Block::of(StmtKind::If { condition, then, otherwise: Block::default() }, span))
+    }
+
+    /// Changes the innermost loop of an iterator, whose adapters yield one item for each of its items. Returns false for
+    /// a loop that cannot be changed.
+    fn count(&mut self, through: &mut tree::Expr, taken: &str, change: Change) -> bool {
         let site = through.site;
         let Tree::Each { pattern, source, body, .. } = &mut through.kind else { return false };
         if let Source::Elements(of, _) = &mut **source
             && let Some((function, _)) = self.expansion(of).filter(|(it, _)| generates(it))
         {
             let mut params = function.tree.params.iter();
-            let Some(at) = params.position(|it| it.items && self.is_for_each(function)) else {
-                return false;
-            };
+            let ends = is_zip(function) || is_enumerate(function);
+            let each = self.is_for_each(function) || change == Change::End && ends;
+            let Some(at) = params.position(|it| it.items && each) else { return false };
             let Tree::Call(_, arguments) = &mut of.kind else { return false };
             let mut inner = handing(&arguments[at]);
-            let counted = self.count(&mut inner.body, taken, counts);
+            let counted = self.count(&mut inner.body, taken, change);
             arguments[at].kind = Tree::Closure(inner);
             return counted;
         }
@@ -309,6 +342,15 @@ impl<'a> Lowering<'a, '_> {
         if let Source::Elements(of, _) = &**source
             && self.own_next(of).is_some()
         {
+            return change != Change::End;
+        }
+        if let Source::Elements(of, _) = &mut **source
+            && change == Change::End
+            && let Some(named) = self.iterator_named(of)
+        {
+            let Ok(most) = self.lookup(taken, site) else { return false };
+            let Ok(limited) = limited(self, named, most, site) else { return false };
+            self.stand_in(of, "limited%", Value::Closure(limited));
             return true;
         }
         let is_made = |leaf: &&Source| match leaf {
@@ -324,10 +366,9 @@ impl<'a> Lowering<'a, '_> {
         let plain = |kind| tree::Expr::plain(kind, site);
         let local = |name: &str| tree::Expr::local(name, site);
         let wrapped = |source: &mut Box<Source>, wrap: &dyn Fn(Box<Source>) -> Source| {
-            let inner = std::mem::replace(&mut **source, Source::Elements(local(taken), false));
-            **source = wrap(Box::new(inner));
+            **source = wrap(source.clone());
         };
-        if counts {
+        if change == Change::Count {
             wrapped(source, &Source::Enumerate);
             let inner = std::mem::replace(&mut **pattern, Pattern::Any);
             **pattern = Pattern::Tuple(vec![Pattern::name(TAKEN), inner]);
@@ -336,7 +377,10 @@ impl<'a> Lowering<'a, '_> {
             let next = Tree::Assign(None, Box::new(local(taken)), Box::new(plain(next)));
             body.stmts.insert(0, Stmt::Expr(plain(next)));
         }
-        wrapped(source, &|inner| Source::Skip(inner, local(taken)));
+        wrapped(source, &|inner| match change {
+            Change::End => Source::Take(inner, local(taken)),
+            _ => Source::Skip(inner, local(taken)),
+        });
         true
     }
 
@@ -445,6 +489,36 @@ pub(super) fn taking_next(
     let mut body = body.clone();
     body.stmts.insert(0, Stmt::Apart { pattern, value: next, otherwise, site });
     body
+}
+
+/// Returns an iterator that a function takes by `&mut`: the same one.
+pub(super) fn borrowed(lowering: &mut Lowering, through: usize) -> usize {
+    let borrowed = Closure { borrowed: true, ..(*lowering.closures[through]).clone() };
+    let borrowed = lowering.closure(borrowed);
+    if let Some(counted) = lowering.hands.get(&through).cloned() {
+        lowering.hands.insert(borrowed, counted);
+    }
+    borrowed
+}
+
+/// Returns an iterator that ends after `most` items, before any closure of it is called for another.
+pub(super) fn limited(
+    lowering: &mut Lowering,
+    through: usize,
+    most: Value,
+    site: Site,
+) -> Result<usize> {
+    let mut limited = (*lowering.closures[through]).clone();
+    let mut text = limited.text.body.clone();
+    let name = format!("limit%{through}");
+    let names = lowering.in_scope_of(&limited, None, site, |inner| {
+        inner.bind(&name, most);
+        let done = inner.count(&mut text, &name, Change::End);
+        Ok(done.then(|| inner.scopes.clone()))
+    })?;
+    limited.scope.names = names.or_refused(site, refusals::ZIPPED_BY_ACCESS)?;
+    limited.text.body = text;
+    Ok(lowering.closure(limited))
 }
 
 /// Returns true for `bessemer::iterate::next`, the DSL's `Iterator::next`.

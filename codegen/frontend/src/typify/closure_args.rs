@@ -163,7 +163,7 @@ impl<'a> Lowering<'a, '_> {
             expanding: Vec::new(),
             locals: None,
         };
-        Ok(Closure { text, source: self.source, scope, outermost: None })
+        Ok(Closure { text, source: self.source, scope, outermost: None, borrowed: false })
     }
 
     /// Returns the copy of a function for some closures, and the captured variables as its arguments.

@@ -11,6 +11,7 @@ use super::syntax::{control_with_value, either, ends_in_loop, names_by_case};
 use super::value::Value;
 use super::words;
 use super::{Needed, Result, order, refusals, refused};
+use crate::standard;
 
 impl Lowering<'_, '_> {
     /// Lowers `expr` and assigns its value to `target`.
@@ -29,6 +30,12 @@ impl Lowering<'_, '_> {
             return self.lowered(&other, target);
         }
         if let Some(expansion) = self.expansion(expr) {
+            if standard::is_comparison(expansion.0) {
+                return match target {
+                    Some(target) => self.store(expr, target),
+                    None => self.value(expr, None).map(drop),
+                };
+            }
             return self.expanded(expansion, expr.site, |inner, tail| {
                 tail.map_or(Ok(()), |tail| inner.lowered(tail, target))
             });

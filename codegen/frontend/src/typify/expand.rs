@@ -9,9 +9,11 @@
 //! Must not know: what any such function computes.
 
 use bessemer_ir::tree::{self, Role, Site, Ty};
-use bessemer_ir::{Expr, ExprKind, Type};
+use bessemer_ir::{Expr, ExprKind, LogicOp, Type};
 
+use super::by_hand::borrowed;
 use super::call::Called;
+use super::consumed::{check_last, same_length};
 use super::items::{begins_at_once, lent};
 use super::lowering::{Lowering, Scope, local_since};
 use super::syntax::generates;
@@ -40,10 +42,18 @@ impl<'a> Lowering<'a, '_> {
         site: Site,
     ) -> Result<Expr> {
         let before = self.locals.len();
-        let value = self.expanded(called, site, |inner, tail| match tail {
+        let end = |inner: &mut Self, tail: Option<&tree::Expr>| match tail {
             Some(tail) => inner.value(tail, expected),
             None => Ok(inner.nothing(site)),
-        })?;
+        };
+        let value = match same_length(self, called, site)? {
+            Some(same) => {
+                let span = same.span;
+                let compared = |inner: &mut Self| inner.expanded(called, site, end);
+                self.short_circuit(LogicOp::And, same, span, compared)?
+            }
+            None => self.expanded(called, site, end)?,
+        };
         // A local of its own, which nothing names from here on.
         if let ExprKind::Load(place) = &value.kind {
             self.held.extend(local_since(place, before));
@@ -61,8 +71,8 @@ impl<'a> Lowering<'a, '_> {
         if generates(function) {
             return refused(site, refusals::ITERATOR_CALL);
         }
-        let given = self.given_to(function, arguments)?;
-        self.inside(function, given, site, |inner| {
+        let meanings = self.given_to(function, arguments)?;
+        self.inside(function, meanings, site, |inner| {
             inner.stmts(&function.tree.body)?;
             end(inner, function.tree.body.tail.as_deref())
         })
@@ -84,17 +94,18 @@ impl<'a> Lowering<'a, '_> {
         param: &tree::Param,
         argument: &tree::Expr,
     ) -> Result<(String, Value)> {
+        let is_borrowed = param.items && matches!(argument.kind, tree::ExprKind::Ref(true, _));
         let argument = if param.items { lent(argument) } else { argument };
         if param.items {
             self.check_settled((function, false), argument)?;
         }
-        let given = match (param.items, param.mutable) {
+        let meaning = match (param.items, param.mutable) {
             (true, _) if self.own_next(argument).is_some() => {
                 Value::Place(self.own_iterator(argument)?)
             }
             (true, true) => {
-                let given = self.gone_through(argument)?;
-                self.by_hand(&param.name, given, &function.tree.body, argument.site)?
+                let meaning = self.gone_through(argument)?;
+                self.by_hand(&param.name, meaning, &function.tree.body, argument.site)?
             }
             (true, false) if begins_at_once(function) => self.gone_through_at_once(argument)?,
             (true, false) => self.gone_through(argument)?,
@@ -105,7 +116,15 @@ impl<'a> Lowering<'a, '_> {
                 self.given((&param.name, param.mutable), &ty, argument)?
             }
         };
-        Ok((param.name.clone(), given))
+        if let Value::Closure(items) = meaning
+            && param.items
+        {
+            check_last(self, function, items, argument.site)?;
+            if is_borrowed {
+                return Ok((param.name.clone(), Value::Closure(borrowed(self, items))));
+            }
+        }
+        Ok((param.name.clone(), meaning))
     }
 
     /// Lowers code of another function, with its parameters bound to these meanings.

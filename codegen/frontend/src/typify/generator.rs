@@ -17,8 +17,9 @@ use bessemer_ir::{Expr, Int, Scalar, StmtKind};
 use super::by_hand::{takes, taking_next};
 use super::call::Called;
 use super::closure_args::is_hidden;
+use super::consumed::{Sides, zipped};
 use super::each::Each;
-use super::items::handing;
+use super::items::{self, handing};
 use super::lowering::{Closure, Lowering, local_since};
 use super::numbered::hands_on;
 use super::seq::{elements_through, pair};
@@ -26,6 +27,7 @@ use super::syntax::generates;
 use super::value::Value;
 use super::words;
 use super::{Result, refusals, refused};
+use crate::standard::is_zip;
 
 /// Source of the items.
 pub(super) enum By<'a, 'e> {
@@ -97,6 +99,15 @@ impl<'a> Lowering<'a, '_> {
         let mut source = (**one).clone();
         self.settle_source(&mut source)?;
         let Value::Closure(through) = self.gone_through(of)? else { return Ok(false) };
+        if let Source::Elements(one, _) = &mut source
+            && let Some(named) = self.iterator_named(one)
+        {
+            let sides = Sides { one: named, other: through, arguments: [one, of] };
+            let ended = zipped(self, &sides, each.body)?;
+            if ended != named {
+                self.stand_in(one, "limited%", Value::Closure(ended));
+            }
+        }
         let name = match &of.kind {
             Tree::Local(name) if !is_hidden(name) => name,
             _ => words::OTHERS,
@@ -155,7 +166,12 @@ impl<'a> Lowering<'a, '_> {
                     if let Some(first) = arguments.first() {
                         inner.check_settled((function, hands_on(handed)), first)?;
                     }
-                    let mut bound = inner.given_to(function, arguments)?;
+                    let mut bound = match arguments {
+                        [one, other] if is_zip(function) => {
+                            zip_arguments(inner, function, [one, other], handed)?
+                        }
+                        _ => inner.given_to(function, arguments)?,
+                    };
                     bound.push((EACH.to_owned(), each));
                     let mut text = function.tree.body.clone();
                     if let (Some(itself), Some(last)) = (itself, text.stmts.last_mut()) {
@@ -248,6 +264,29 @@ impl<'a> Lowering<'a, '_> {
         let begin = tree::Block { stmts: vec![named(NUMBER, digits("0"))], tail: None };
         self.stmts(&begin)
     }
+}
+
+/// Returns the meanings of the parameters of `zip`: the first side ends where Rust takes no more of it.
+fn zip_arguments<'a>(
+    lowering: &mut Lowering<'a, '_>,
+    function: &'a tree::Function,
+    arguments: [&tree::Expr; 2],
+    body: &tree::Block,
+) -> Result<Vec<(String, Value)>> {
+    let params = &function.tree.params;
+    let mut first = lowering.given_as(function, &params[0], arguments[0])?;
+    let other = items::lent(arguments[1]);
+    if lowering.own_next(other).is_some() {
+        return Ok(vec![first, lowering.given_as(function, &params[1], other)?]);
+    }
+    let second = lowering.gone_through(other)?;
+    if let (Value::Closure(one), Value::Closure(other)) = (&mut first.1, &second) {
+        let sides = Sides { one: *one, other: *other, arguments };
+        *one = zipped(lowering, &sides, body)?;
+    }
+    let name = &params[1].name;
+    let second = lowering.by_hand(name, second, &function.tree.body, other.site)?;
+    Ok(vec![first, (name.clone(), second)])
 }
 
 /// Returns a loop that yields each item after the given adapters; none if an adapter needs state.

@@ -23,7 +23,7 @@ pub(super) fn handing(argument: &tree::Expr) -> tree::Closure {
     }
     let plain = |kind| tree::Expr::plain(kind, argument.site);
     let (name, site) = ("item%", argument.site);
-    // What is given by value is its function's own, whatever is written to what it was copied from.
+    // A value argument belongs to the function: a later write to its origin does not change it.
     let owned = !matches!(argument.kind, Tree::Ref(..));
     let source = Source::Elements(argument.clone(), owned);
     let hand_on = Tree::Apply(EACH.into(), vec![tree::Expr::local(name, site)]);

@@ -102,7 +102,7 @@ impl<'a> Lowering<'a, '_> {
             expanding: self.expanding.clone(),
             locals: Some(self.locals.len()),
         };
-        Closure { text, source: self.source, scope, outermost: None }
+        Closure { text, source: self.source, scope, outermost: None, borrowed: false }
     }
 
     /// Returns the closure that a name denotes, even if another meaning shadows it.
@@ -161,6 +161,7 @@ pub(super) enum Leaving {
 }
 
 /// A counted iterator: explicit `next` calls and loops share its position.
+#[derive(Clone)]
 pub(super) struct Hand {
     /// Closure that reads the remaining items without counting them.
     pub again: usize,
@@ -183,6 +184,8 @@ pub(super) struct Closure<'a> {
     pub scope: Scope<'a>,
     /// For the body of a loop over a generator: the loop's label, and the frame that a `break` leaves.
     pub outermost: Option<(Option<String>, usize)>,
+    /// True for an iterator that the caller passes by `&mut`.
+    pub borrowed: bool,
 }
 
 /// Meaning of the names in a closure.

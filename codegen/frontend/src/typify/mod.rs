@@ -20,6 +20,7 @@ mod choice;
 mod closure_args;
 mod comparison;
 mod conditions;
+mod consumed;
 mod control;
 mod destructure;
 mod each;

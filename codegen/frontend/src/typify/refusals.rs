@@ -78,6 +78,10 @@ reasons! {
     BOUNDED_MATRIX: "the elements of a `BoundedMatrix` cannot be combined with other iterators, or skipped", "bind the matrix to a name and iterate over it alone; or write `for column in 0..m.ncols()`, and index";
     RANGE_TAKEN: "a `Range` variable has no explicit `next` calls", "iterate over a copy, `range.clone()`; or keep the next number, and count on";
     ITERATOR_IN_CLOSURE: "a closure that is passed to a function cannot capture an iterator", "create the iterator in the closure; or pass it to the function as `items: impl Iterator<Item = T>`";
+    ZIPPED_BY_ACCESS: "the number of items that this `zip` takes from its first iterator depends on the version of Rust, and a closure of that iterator writes or may fault", "call the closure behind the `zip`: `values.iter().zip(others).map(|(x, y)| …)`";
+    SKIPPED_BY_ACCESS: "this `zip` calls no closure for the items that `skip` leaves out, which depends on the version of Rust", "write `.skip(n)` before the closure: `values.iter().skip(n).map(|x| …)`";
+    COMPARED_BY_ACCESS: "the number of items that this comparison takes depends on the version of Rust, and a closure of an iterator writes or may fault", "compare in a loop: `for (x, y) in values.zip(others)`";
+    LAST_CHUNK: "`last` calls the closure of `chunk_by` from the end on, and the closure writes or may fault", "keep the last part in a loop: `for part in values.chunk_by(…)`";
     TAKEN_BY_LENGTH: "the number of items that this call consumes differs between versions of Rust", "limit them first, `it.by_ref().take(n)`; or iterate over both in a `for`";
     OWN_ITER: "a loop cannot iterate over this type", "write `for i in 0..n`, and index; or add a method with another name than `iter`, `fn items(&self) -> impl Iterator<Item = &T>`; if the type is an iterator, mark its `impl Iterator` block `#[data]`";
     GONE_THROUGH: "a loop cannot iterate over this type", "write `for i in 0..n`, and index; loops accept arrays, slices, lists, vectors, ranges and iterators";

@@ -238,7 +238,7 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// Replaces an expression by a new unique name for `given`.
-    fn stand_in(&mut self, expr: &mut tree::Expr, name: &str, given: Value) {
+    pub(super) fn stand_in(&mut self, expr: &mut tree::Expr, name: &str, given: Value) {
         let known: usize = self.scopes.iter().map(Names::len).sum();
         let name = format!("{name}{known}");
         self.bind(&name, given);

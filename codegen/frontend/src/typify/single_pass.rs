@@ -2,34 +2,9 @@
 //!
 //! Invariant: the statements after a `break` in the loop run in the same cases without it.
 //!
-//! Must not know: the loop's source, except the next item of a counted iterator.
+//! Must not know: the loop's source.
 
-use bessemer_ir::{Block, CompareOp, Expr, Span, Stmt, StmtKind};
-
-use super::lowering::Lowering;
-
-impl Lowering<'_, '_> {
-    /// Returns the statements of a loop that takes only the next item of an iterator, without the loop: it has one
-    /// pass, or none.
-    pub(super) fn at_most_once(&self, kind: &StmtKind, span: Span) -> Option<Block> {
-        let StmtKind::For { variable, from, to, inclusive, reversed: false, ended, body, .. } =
-            kind
-        else {
-            return None;
-        };
-        if *ended && *inclusive && from.is_literal() && from == to {
-            return single_pass(&body.0);
-        }
-        if *inclusive || !self.is_taken(from) {
-            return None;
-        }
-        let mut then =
-            Block::of(StmtKind::Let { local: *variable, value: Some(from.clone()) }, span);
-        then.0.extend(single_pass(&body.0)?.0);
-        let condition = Expr::compare(CompareOp::Lt, from.clone(), to.clone());
-        Some(Block::of(StmtKind::If { condition, then, otherwise: Block::default() }, span))
-    }
-}
+use bessemer_ir::{Block, Stmt, StmtKind};
 
 /// Returns the statements of a pass that leaves its loop at its end, without the loop. None if anything but an `if … {
 /// …; break; }` leaves it before.
@@ -58,8 +33,7 @@ fn without_breaks(stmts: &[Stmt]) -> Option<Block> {
         false => (condition, then, otherwise),
     };
     let mut all = stmts[..at].to_vec();
-    if !then.0.is_empty() {
-        all.push(Stmt::new(StmtKind::If { condition, then, otherwise }, stmts[at].span));
-    }
+    let branches = (!then.0.is_empty()).then_some(StmtKind::If { condition, then, otherwise });
+    all.extend(branches.map(|kind| Stmt::new(kind, stmts[at].span)));
     Some(Block(all))
 }
