@@ -54,6 +54,8 @@ extern crate self as bessemer;
 #[cfg(not(feature = "generate"))]
 #[doc(hidden)]
 pub use bessemer_macros::library;
+#[doc(hidden)]
+pub use bessemer_macros::{__Configured, __removed};
 #[doc(inline)]
 pub use bessemer_macros::{c, entry};
 #[cfg(not(feature = "generate"))]

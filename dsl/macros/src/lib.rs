@@ -11,6 +11,7 @@ mod attributes;
 mod builder;
 mod closures;
 mod conditions;
+mod configured;
 mod data;
 mod defaults;
 mod docs;
@@ -43,6 +44,34 @@ use kind::Kind;
 /// Stack size of an expansion, in bytes, which takes memory only as used. Syntax nests as deep as the author's
 /// expressions: a sum has a level for each term.
 const STACK: usize = 1 << 28;
+
+/// Expands an attribute, once rustc has acted on the conditions within its item.
+fn expanded(
+    attribute: &str,
+    arguments: TokenStream,
+    item: TokenStream,
+    expand: impl FnOnce(proc_macro2::TokenStream, proc_macro2::TokenStream) -> proc_macro2::TokenStream,
+) -> TokenStream {
+    let (arguments, item) = (arguments.into(), item.into());
+    deep(|| match configured::detour(attribute, &arguments, &item) {
+        Some(detour) => detour,
+        None => expand(arguments, item),
+    })
+}
+
+/// Returns the item of a detour with rustc's decisions on the conditions within.
+#[doc(hidden)]
+#[proc_macro_derive(__Configured)]
+pub fn configured(holder: TokenStream) -> TokenStream {
+    deep(|| configured::configured(holder.into()))
+}
+
+/// Removes the enum of a detour.
+#[doc(hidden)]
+#[proc_macro_attribute]
+pub fn __removed(_arguments: TokenStream, _holder: TokenStream) -> TokenStream {
+    TokenStream::new()
+}
 
 /// Expands on a large stack.
 fn deep(expand: impl FnOnce() -> proc_macro2::TokenStream) -> TokenStream {
@@ -90,7 +119,7 @@ fn deep(expand: impl FnOnce() -> proc_macro2::TokenStream) -> TokenStream {
 /// In the C: `typedef struct { … } gains_t;`, `gains_respond(const gains_t *self, …)`, and `FLOW`.
 #[proc_macro_attribute]
 pub fn data(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    deep(|| data::expand(Kind::Data, arguments.into(), item.into()))
+    expanded("data", arguments, item, |arguments, item| data::expand(Kind::Data, arguments, item))
 }
 
 /// A component: a struct with the state of a controller or estimator, or its `impl` block.
@@ -129,7 +158,9 @@ pub fn data(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// In the C: `revolutions_t`, `revolutions_init(revolutions_t *self)` and `revolutions_mark(revolutions_t *self)`.
 #[proc_macro_attribute]
 pub fn component(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    deep(|| data::expand(Kind::Component, arguments.into(), item.into()))
+    expanded("component", arguments, item, |arguments, item| {
+        data::expand(Kind::Component, arguments, item)
+    })
 }
 
 /// A free function.
@@ -162,7 +193,7 @@ pub fn component(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// In the C a function of its module's file; a generic one for each way in which it is called.
 #[proc_macro_attribute]
 pub fn function(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    deep(|| function::expand(arguments.into(), item.into()))
+    expanded("function", arguments, item, function::expand)
 }
 
 /// Expands a block of the DSL's library: free functions that define the methods of one of std's or nalgebra's types.
@@ -298,7 +329,7 @@ pub fn c(_arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// In the C the calls are direct: there is no table of functions and no pointer to one.
 #[proc_macro_attribute]
 pub fn interface(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    deep(|| interface::expand(arguments.into(), item.into()))
+    expanded("interface", arguments, item, interface::expand)
 }
 
 /// Marks a method of a `#[component]` as an entry point; `#[entry(infallible)]` claims that no fault

@@ -91,9 +91,9 @@ pub(super) fn is_function(path: &syn::ExprPath) -> bool {
     is_small(&name) && (name.is_ascii() || associated(path.qself.as_ref(), &path.path))
 }
 
-/// Returns true if a name is in small letters, so it is no variant or constant.
+/// Returns true if a name is a function's, and not a constant's or a variant's: `_helper`, and neither `LIMIT` nor `_4_5`.
 fn is_small(name: &str) -> bool {
-    name.starts_with(|first: char| first.is_lowercase() || first == '_')
+    name.trim_start_matches('_').starts_with(char::is_lowercase)
 }
 
 /// Returns the native function, whose type in the witness copy shows its arguments, including references of any

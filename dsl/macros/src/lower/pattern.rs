@@ -239,6 +239,11 @@ impl Lowering {
     ) -> tree::Expr {
         let slot = self.slot();
         let index = self.constants.len() as u32;
+        let imports = &self.imports;
+        let tokens = match imports.as_slice() {
+            [] => tokens,
+            imports => quote::quote!({ #(#imports)* #tokens }),
+        };
         self.constants.push((slot, tokens, constant));
         let segments: Vec<_> = path.segments.iter().map(|segment| text(&segment.ident)).collect();
         let name = segments.join("::");

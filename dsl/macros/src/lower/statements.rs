@@ -25,6 +25,7 @@ impl Lowering {
         let originals: Vec<_> = originals.into_iter().flat_map(one_by_one).collect();
         let last = originals.len().saturating_sub(1);
         let outermost = self.is_outermost();
+        let imports = self.imports.len();
         for (index, mut stmt) in originals.into_iter().enumerate() {
             if outermost {
                 self.begins.push(self.here(stmts.len()));
@@ -32,6 +33,12 @@ impl Lowering {
             let mut looks = Vec::new();
             match &mut stmt {
                 syn::Stmt::Local(local) => lowered.stmts.extend(self.local(local, &mut looks)),
+                // The names that it brings end with its block, where rustc finds them.
+                syn::Stmt::Item(syn::Item::Use(it)) if !outermost => {
+                    self.imports.push(it.clone());
+                    stmts.push(stmt);
+                    continue;
+                }
                 syn::Stmt::Item(item) => {
                     self.item(item);
                     continue;
@@ -49,6 +56,7 @@ impl Lowering {
             stmts.push(stmt);
             stmts.extend(looks);
         }
+        self.imports.truncate(imports);
         lowered
     }
 

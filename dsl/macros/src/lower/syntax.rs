@@ -73,7 +73,8 @@ pub(super) fn is_of_type(path: &syn::Path) -> bool {
 
 /// Returns true if a name looks like a variant or a struct: it has a capital and small letters.
 pub(super) fn is_constructor_name(name: &str) -> bool {
-    name.starts_with(|first: char| first.is_uppercase())
+    name.trim_start_matches('_')
+        .starts_with(|first: char| first.is_uppercase() || first.is_numeric())
         && name.contains(|letter: char| letter.is_lowercase())
 }
 

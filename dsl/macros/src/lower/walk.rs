@@ -44,6 +44,8 @@ pub struct Lowering {
     pub macros: Vec<syn::Ident>,
     /// `const` items of the body, which the builder also needs.
     pub items: Vec<syn::Item>,
+    /// Imports of the open blocks but the body, with which their constants are evaluated.
+    pub(super) imports: Vec<syn::ItemUse>,
     /// Name of the function, and if it is a method, to detect direct recursion. None where the type may have another
     /// method of this name, which Rust prefers.
     pub(super) name: Option<String>,
