@@ -45,37 +45,6 @@ pub fn smoothed(inputs: [i32; 8], k: [i32; 2]) -> ([i32; 8], [i32; 8]) {
     (first, second)
 }
 
-pub fn unwrapped(inputs: [i32; 8]) -> ([i32; 8], i64) {
-    let mut unwrapper = Unwrapper::<i64>::default();
-    let mut out = [0; 8];
-    for k in 0..8 {
-        out[k] = unwrapper.update(inputs[k]);
-    }
-    (out, unwrapper.y())
-}
-
-pub fn second_order(ba: [i32; 5], inputs: [i32; 8]) -> [i32; 8] {
-    let filter = iir::Biquad::<i32>::from(ba);
-    let mut state = [0; 4];
-    let mut out = [0; 8];
-    for k in 0..8 {
-        out[k] = filter.update(&mut state, inputs[k]);
-    }
-    out
-}
-
-pub fn in_floats(ba: [f32; 5], limits: [f32; 2], inputs: [f32; 8]) -> [f32; 8] {
-    let mut filter = iir::Biquad::<f32>::from(ba);
-    filter.set_min(limits[0]);
-    filter.set_max(limits[1]);
-    let mut state = [0.0; 2];
-    let mut out = [0.0; 8];
-    for k in 0..8 {
-        out[k] = filter.update(&mut state, inputs[k]);
-    }
-    out
-}
-
 pub fn scaled(lo: i32, hi: i32, shift: u32) -> i32 {
     saturating_scale(lo, hi, 1 + shift % 31)
 }
