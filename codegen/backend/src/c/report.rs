@@ -55,7 +55,7 @@ pub struct EntryReport {
 pub struct Site {
     /// Span of the operation.
     pub span: Span,
-    /// Width that it exceeds.
+    /// Limit of the target that the operation exceeds.
     pub width: Width,
     /// Function of another package that is called there and performs it; none if the line itself does.
     pub through: Option<FunctionId>,

@@ -99,7 +99,7 @@ pub(super) fn in_field<T>(at: u32, found: Vec<(Path, T)>) -> impl Iterator<Item 
     found.into_iter().map(move |(path, known)| ([vec![at], path].concat(), known))
 }
 
-/// Returns the struct of a type that is one, or an array of one.
+/// Returns the struct that a type is, or that its array elements are.
 fn struct_in(ty: &Type) -> Option<StructId> {
     match ty {
         Type::Array { element, .. } => struct_in(element),

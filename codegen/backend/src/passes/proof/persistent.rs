@@ -100,7 +100,7 @@ impl<T> Map<T> {
     }
 }
 
-/// Compares two nodes of one `key`; `digit` is the value of the next digit 1.
+/// Compares the subtrees of a `key`; `digit` is the weight of its next digit.
 fn compare<T: PartialEq>(
     a: &Link<T>,
     b: &Link<T>,
