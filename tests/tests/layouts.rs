@@ -54,7 +54,7 @@ fn each_layout_spells_matrices_its_way() {
             Layout::Columns,
             &[
                 "double matrix[6];",
-                "map->matrix[(i % UINT64_C(2)) + 2U * 2U] + map->matrix[1]",
+                "map->matrix[(i % UINT64_C(2)) + 2U * 2U] + map->matrix[1 + 2 * 0]",
                 "const double a[4], const double b[6], double result[6]",
             ],
         ),
@@ -62,7 +62,7 @@ fn each_layout_spells_matrices_its_way() {
             Layout::Rows,
             &[
                 "double matrix[6];",
-                "map->matrix[2U + 3U * (i % UINT64_C(2))] + map->matrix[3]",
+                "map->matrix[2U + 3U * (i % UINT64_C(2))] + map->matrix[0 + 3 * 1]",
                 "const double a[4], const double b[6], double result[6]",
             ],
         ),

@@ -83,6 +83,10 @@ impl Lower<'_> {
                 let value = expr.ty.as_int().map_or(i128::from(*word), |int| int.from_word(*word));
                 Some((value, value))
             }
+            // C holds it in 32 bits.
+            ExprKind::Load(place) if self.counter(place).is_some() => {
+                Some((0, i128::from(u32::MAX)))
+            }
             ExprKind::Cast(inner) => {
                 let inner = self.number_range(inner).unwrap_or(full);
                 Some(if inner.0 >= full.0 && inner.1 <= full.1 { inner } else { full })
