@@ -106,7 +106,7 @@ fn ty(message: &Message<'_>) -> Option<Words> {
     let iterator = types::iterator(inner).filter(|_| declared.is_none());
     let help = match (types::instead(inner).or(iterator), &declared) {
         (Some(help), _) => help.to_owned(),
-        (None, Some(mark)) if !is_declaration(mark) => format!(
+        (None, Some(mark)) if mark.line.contains('!') && !is_declaration(mark) => format!(
             "`{}` declares it, and an item of a macro cannot be marked: declare `#[data] struct {name}(u16);` with methods that shift and mask, or a struct of the fields",
             made_by(mark)
         ),
