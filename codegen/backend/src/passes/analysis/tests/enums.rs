@@ -66,7 +66,7 @@ fn number(byte: i8, brought: bool, numbers: &[i8]) -> i8 {
     if brought && !numbers.contains(&byte) { numbers[numbers.len() - 1] } else { byte }
 }
 
-/// Returns the result of the C. A byte that encodes no variant is equal to none of them.
+/// Returns the result of the C. A byte that encodes no variant differs from each variant.
 fn value(expr: &Expr, byte: i8, numbers: &[i8]) -> i128 {
     match &expr.kind {
         ExprKind::Literal(word) => match expr.ty {
