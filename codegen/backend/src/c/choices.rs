@@ -10,7 +10,8 @@
 //! - the case of the last variant carries `default:`, as in every other `switch`;
 //! - the result for each variant stays.
 //!
-//! What it must not know: the IR, and types other than the names of their enumerators.
+//! It must not know the IR, or any type other than an enum's names. So it takes every write for one that may change the
+//! compared place: two fields of a union share their memory.
 
 use std::collections::BTreeMap;
 
@@ -414,8 +415,8 @@ fn leaves_loop(stmt: &Stmt) -> bool {
     }
 }
 
-/// Removes assignments of `label` to `place`, which holds it where the statements begin. Returns true if the place holds
-/// it behind them, too, as far as is seen.
+/// Removes assignments of `label` to `place`, which holds it where the statements begin, up to the first other write.
+/// Returns true if there is no such write.
 fn drop_known(body: &mut Vec<Stmt>, place: &Expr, label: &Expr) -> bool {
     let mut at = 0;
     while at < body.len() {
@@ -428,7 +429,6 @@ fn drop_known(body: &mut Vec<Stmt>, place: &Expr, label: &Expr) -> bool {
                 put_back(body, at);
                 continue;
             }
-            StmtKind::Assign(to, _, value) => !calls(value) && are_apart(to, place),
             StmtKind::If { condition, then, otherwise } if !calls(condition) => {
                 let kept = drop_known(then, place, label);
                 drop_known(otherwise, place, label) && kept
@@ -474,27 +474,6 @@ fn put_back(body: &mut Vec<Stmt>, at: usize) {
     };
     body[at].kind = joined;
     body.remove(before);
-}
-
-/// Returns true if writing one place leaves the other as it is: they part at a field.
-fn are_apart(a: &Expr, b: &Expr) -> bool {
-    let (a, b) = (path(a), path(b));
-    a.iter().zip(&b).find(|(a, b)| a != b).is_some_and(|(a, b)| match (a, b) {
-        (Expr::Member(x, _) | Expr::Arrow(x, _), Expr::Member(y, _) | Expr::Arrow(y, _)) => x == y,
-        _ => false,
-    })
-}
-
-/// Returns the places around a place, from its variable on.
-fn path(place: &Expr) -> Vec<&Expr> {
-    let mut list = match place {
-        Expr::Member(of, _) | Expr::Arrow(of, _) | Expr::Index(of, _) | Expr::Unary(_, of) => {
-            path(of)
-        }
-        _ => Vec::new(),
-    };
-    list.push(place);
-    list
 }
 
 fn calls(expr: &Expr) -> bool {

@@ -213,3 +213,22 @@ fn a_value_that_is_put_back_has_no_name() {
     let less = Expr::call("less", vec![count.clone()]);
     assert_eq!(arms[0].body, [plain(StmtKind::Assign(count, "=", less))]);
 }
+
+#[test]
+fn a_value_behind_another_write_is_assigned_again() {
+    let names = names_of_variants();
+    // Two variants of an outer enum in one union: the write to the first changes the bytes of the second.
+    let part = |name: &str| Expr::Member(Box::new(Expr::name("as")), name.to_owned());
+    let arm = vec![
+        plain(StmtKind::Assign(part("other"), "=", Expr::name("5U"))),
+        plain(StmtKind::Assign(part("inner"), "=", Expr::name("A"))),
+    ];
+    let labels = vec![Expr::name("A")];
+    let mut body = vec![plain(StmtKind::Switch {
+        scrutinee: part("inner"),
+        arms: vec![SwitchArm { labels, default: true, body: arm.clone() }],
+    })];
+    enumerators(&names).rewrite(&mut body);
+    let StmtKind::Switch { arms, .. } = &body[0].kind else { panic!("{body:?}") };
+    assert_eq!(arms[0].body, arm);
+}
