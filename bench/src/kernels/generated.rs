@@ -56,7 +56,7 @@ pub fn write(cases: &[Case], folder: &Path, tuning: Tuning) -> Result<Vec<PathBu
             sources.push(path);
         }
     }
-    // What is in a header or at its place is compiled where it is called; by itself, too, so that its size is known.
+    // Code of headers is compiled with its callers, and once alone to measure its size.
     sources.retain(|source| !source.ends_with("product.c"));
     for kernel in known.iter().flat_map(|(_, kernels)| kernels) {
         if kernel.is_function() && kernels::stands_in_header(kernel) {

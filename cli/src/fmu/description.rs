@@ -220,7 +220,7 @@ pub fn build(name: &str, options: &Options, sources: &[&str]) -> String {
     let files: String =
         sources.iter().map(|it| format!("      <SourceFile name=\"{it}\"/>\n")).collect();
     let (language, flags) = (options.standard.iso(), build_files::flags(options));
-    // Where headers have a folder of their own, they are named from that of the sources on.
+    // Headers in their own folder are named relative to the folder of the sources.
     let include = match options.headers.is_empty() {
         true => "",
         false => "      <IncludeDirectory name=\".\"/>\n",

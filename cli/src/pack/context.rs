@@ -243,7 +243,7 @@ fn component(
     let mut kept: Vec<(String, Kept)> = Vec::new();
     let of = |it: &Call<'_>| it.entry.parameters.first().is_some_and(|it| it.value.ty == ty);
     let all: Vec<Call<'_>> = calls(face).filter(of).collect();
-    // Those of all calls first: what one call declares then never hides them.
+    // The names of all calls come first, so that a declaration of one call never hides them.
     for (at, parameter) in all.iter().flat_map(|it| it.entry.parameters.iter().enumerate()) {
         let (value, own) = (&parameter.value, if at == 0 { &name } else { &parameter.name });
         let known = kept.iter().any(|(known, it)| known == own && it.ty == value.ty);

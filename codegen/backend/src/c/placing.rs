@@ -38,7 +38,7 @@ impl Placing {
         placing.enums = enums;
         let components = module.structs.iter().filter(|item| item.initial.is_some());
         let components = wanted(components.map(|item| snake(&item.name)));
-        // What a struct holds precedes it.
+        // The types of a struct's fields precede it.
         for id in (0..module.structs.len() as u32).map(StructId) {
             let file = placing.of_struct(module, &components, id);
             placing.structs.push(file);

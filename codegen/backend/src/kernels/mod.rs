@@ -135,7 +135,7 @@ pub fn source(kernel: &Kernel, tuning: &Tuning) -> Source {
     if tuning.mode == Mode::Exact && has_loops(kernel) {
         source = loops::before(kernel, source, &buffers(kernel, tuning));
     }
-    // What is in a header is compiled as its callers are; tiles are stored as they are loaded.
+    // A header's code is compiled with its callers' options; tiles are stored as they are loaded.
     let tiled =
         matches!(kernel.routine, LuSolve | Solve | Inverse) && way(kernel, tuning) == Way::Tiles;
     if kernel.element == Float::F32 && !stands_in_header(kernel) && !tiled {

@@ -240,7 +240,7 @@ impl Lowering<'_> {
     fn within(&mut self, condition: Expr, then: Block, span: Span) {
         let mut parts = conjuncts(condition).into_iter();
         let Some(mut all) = parts.next().map(|(first, _)| self.word(first)) else { return };
-        // Where it goes on if one does not hold, and what precedes each branch.
+        // The facts if an operand does not hold, and the statements before each branch.
         let (mut ends, mut open) = (Vec::new(), Vec::new());
         for (part, span) in parts {
             let known = self.facts.clone();

@@ -78,7 +78,7 @@ fn run(compiler: &str, flags: &[&str], folder: &Path, input: &str) -> String {
         .map(|entry| entry.expect("readable").path());
     let sources: Vec<_> =
         sources.filter(|path| path.extension().is_some_and(|end| end == "c")).collect();
-    // Of one compiler what it documents, of the other what is in for that elsewhere.
+    // clang compiles the plain C, gcc the kernels of the processor.
     let plain = (compiler == "clang").then_some("-DBESSEMER_PLAIN");
     super::compilers::run(
         Command::new(compiler)

@@ -77,7 +77,7 @@ fn compare(seed: u64, count: &mut Count) {
     count.modules += 1;
     let mut after = passed(&before, seed, count);
     after.functions.iter_mut().for_each(|function| Mark.block(&mut function.body));
-    // Those that were proved are in this one.
+    // This module keeps the proved checks.
     let (kept, _) = explicit_with(before.clone(), true).expect("explicit before");
     show(&kept, "kept.ir");
     assert_eq!(validate(&kept), Ok(()), "seed {seed}");

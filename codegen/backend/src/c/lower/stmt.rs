@@ -361,7 +361,7 @@ impl Lower<'_> {
         let mut list: Vec<SwitchArm> = Vec::new();
         for (index, arm) in arms.iter().enumerate() {
             let labels = arm.values.iter().map(|value| self.label(&scrutinee.ty, *value)).collect();
-            // Where the arms name every variant, the last represents whatever else there might be.
+            // If the arms name every variant, the last arm also takes invalid values.
             let default = otherwise.is_none() && index + 1 == arms.len();
             list.push(SwitchArm { labels, default, body: self.block(&arm.body, tail) });
         }
