@@ -25,6 +25,9 @@ use std::io;
 use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
 use std::time::{Duration, Instant};
 
+/// Largest force of the wind on an aircraft of this size, N.
+const WIND: f64 = 1.0;
+
 /// Number of periods without a command after which the motors stop, as on a real aircraft.
 const FAILSAFE: u64 = 20;
 
@@ -62,6 +65,23 @@ pub enum Injection {
     },
     /// The aircraft is put back to its start with a full battery.
     Back,
+}
+
+impl Injection {
+    /// Returns the reason to refuse a fault on an aircraft with so many motors.
+    pub fn refusal(&self, motors: usize) -> Option<String> {
+        match self {
+            Self::Motor { number: Some(number) } if *number >= motors => {
+                Some(format!("fault injection refused: there are motors 1 to {motors}"))
+            }
+            Self::Wind { force: [x, y], gusts }
+                if ![x, y, gusts].iter().all(|it| it.abs() <= WIND) =>
+            {
+                Some(format!("wind refused: allowed are -{WIND} to {WIND} N"))
+            }
+            _ => None,
+        }
+    }
 }
 
 /// Result of a period.
@@ -195,6 +215,11 @@ impl Bench {
     /// Returns the state of the aircraft.
     pub fn state(&self) -> &State {
         &self.world.state
+    }
+
+    /// Returns the number of motors.
+    pub fn motors(&self) -> usize {
+        Airframe::mambo().motors
     }
 
     /// Returns the state of the battery.
@@ -417,5 +442,5 @@ pub fn bytes(words: &[u64]) -> Vec<u8> {
 
 /// A force limited to plausible values for an aircraft of this size, N; 0 if it is not a number.
 fn bounded(force: f64) -> f64 {
-    if force.is_finite() { force.clamp(-1.0, 1.0) } else { 0.0 }
+    if force.is_finite() { force.clamp(-WIND, WIND) } else { 0.0 }
 }

@@ -45,6 +45,9 @@ pub const SIGNALS: &[Signal] = signals! {
     54 "variance roll" "rad²"; 55 "variance pitch" "rad²"; 56 "variance yaw" "rad²";
 };
 
+/// Number of the signal without a meaning, which fills a selection.
+pub const UNUSED: u8 = 63;
+
 /// Signals shown on the page: state, target, closed loop and feed-forward of four motors, variances, and the ages of
 /// Vicon and height.
 pub const PAGE_SIGNALS: [u8; 36] = [

@@ -13,6 +13,7 @@
 //! | [`recorder`], [`replay`] | a flight as a file, and the C run again from it |
 //! | [`live`], [`player`] | the testbed, or a recording, with the server at its side |
 //! | [`command`] | who commands |
+//! | [`refusal`] | reasons to refuse a request before it goes to the aircraft |
 //! | [`events`] | changes of a flight, in an operator's words |
 //! | [`messages`], [`server`], [`limited`], [`page`] | what the browser is reported and may ask |
 //! | [`tools`] | the same for Foxglove, and over MAVLink |
@@ -35,6 +36,7 @@ pub mod program;
 pub mod radio;
 pub mod recorded;
 pub mod recorder;
+pub mod refusal;
 pub mod relay;
 pub mod replay;
 pub mod server;

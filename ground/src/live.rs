@@ -4,17 +4,18 @@
 //! over without waiting; a recording has its own thread.
 
 use crate::bench::{Period, Timing};
-use crate::catalogue::{PAGE_SIGNALS, SIGNALS, parameters};
+use crate::catalogue::{PAGE_SIGNALS, SIGNALS, UNUSED, parameters};
 use crate::command::Seat;
 use crate::events::{self, Event, Severity, Sight, Watch};
 use crate::messages::{Ask, Point, Recording, State, Tell};
 use crate::radio::Quality;
 use crate::recorder::{Recorder, Unwritable};
+use crate::refusal::{self, Situation};
 use crate::server::Hub;
 use crate::testbed::{Error, Testbed, period};
 use crate::tools::Tool;
 use models::receiver::Sticks;
-use models::trajectory::{MAX_POINTS, SetPoint};
+use models::trajectory::SetPoint;
 use models::{Alarm, Phase, Settings};
 use nalgebra::{Vector2, Vector3};
 use sim::ground_station::{News, Order, Record};
@@ -24,6 +25,9 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 
 /// Capacity of the queue of requests: half a second of moving sticks.
 const QUEUE_LENGTH: usize = 64;
+
+/// Number of the signal with the alarm.
+const ALARM: u8 = 35;
 
 /// Number of periods between two messages with the testbed's state.
 const STATE_EVERY: u64 = 50;
@@ -42,6 +46,12 @@ pub struct Live {
     files: u32,
     tools: Vec<(Box<dyn Tool>, Seat)>,
     watch: Watch,
+    /// True if a trajectory was sent that no flight has followed yet.
+    planned: bool,
+    /// True if the aircraft flew in the last period.
+    flew: bool,
+    /// Number of restarts of the software until the last period.
+    restarts: u64,
     /// Events that have not been reported yet.
     events: Vec<Event>,
 }
@@ -118,6 +128,9 @@ impl Live {
             files: 0,
             tools,
             watch,
+            planned: false,
+            flew: false,
+            restarts: 0,
             events,
         }
     }
@@ -173,6 +186,7 @@ impl Live {
             self.hub.tell(&Tell::Outcome { order, outcome });
         }
         self.events.extend(self.watch.look(&Sight::of(&self.testbed, &done)));
+        self.follow();
         let events = std::mem::take(&mut self.events);
         for event in &events {
             self.hub.log(event);
@@ -186,6 +200,26 @@ impl Live {
             self.hub.tell(&Tell::State(Box::new(state)));
         }
         Ok(done)
+    }
+
+    /// Follows the flight: one that ended has used its trajectory up, and restarted software knows none.
+    fn follow(&mut self) {
+        let (flies, restarts) = (self.situation().is_flying(), self.testbed.restarts);
+        self.planned &= (flies || !self.flew) && restarts == self.restarts;
+        (self.flew, self.restarts) = (flies, restarts);
+    }
+
+    /// Returns the state of the flight on which refusals depend.
+    fn situation(&self) -> Situation {
+        let station = &self.testbed.station;
+        Situation {
+            phase: station.phase(),
+            clear: station.signal(ALARM) == f32::from(Alarm::Clear as u8),
+            arming: station.is_arming(),
+            planned: self.planned,
+            silence: station.silence(self.testbed.now()),
+            motors: self.testbed.bench.motors(),
+        }
     }
 
     /// Finishes the recording, if there is one.
@@ -248,6 +282,7 @@ impl Live {
             heard: station.down,
             counts: station.status.as_ref().map(|status| status.counts),
             mode: station.status.as_ref().map(|status| status.mode),
+            planned: self.planned,
             parameters: station.parameters.to_vec(),
             pages: self.hub.pages(),
             commanded: self.hub.is_commanded(),
@@ -260,10 +295,14 @@ impl Live {
         }
     }
 
-    /// Executes a request of a page. Its sender has been checked; its content has not.
+    /// Executes a request of a page, or reports why it is refused. Its sender has been checked; its content has not.
     fn obey(&mut self, ask: Ask) {
         let now = self.testbed.now();
+        if let Some(reason) = refusal::reason(&ask, &self.situation()) {
+            return self.note(Severity::Warning, reason);
+        }
         match &ask {
+            Ask::Fly { .. } => self.planned = true,
             Ask::Land => self.watch.land(),
             Ask::Kill => self.note(Severity::Info, "fault injection: onboard software stopped"),
             Ask::Inject { injection } => {
@@ -285,31 +324,17 @@ impl Live {
                 let lean = Vector2::new(roll, pitch);
                 station.order(now, Order::Sticks(Sticks { lean, yaw_rate, climb }));
             }
-            Ask::Fly { points } if (1..=MAX_POINTS).contains(&points.len()) => {
-                station.fly(now, points.iter().map(set_point).collect());
-            }
-            Ask::Fly { .. } => {
-                let reason = format!("a trajectory has 1 to {MAX_POINTS} points");
-                self.hub.tell(&Tell::Refused { reason });
-            }
+            Ask::Fly { points } => station.fly(now, points.iter().map(set_point).collect()),
             Ask::Set { number, value } => station.order(now, Order::Set(number, value)),
             Ask::Choose { every, signals } => {
-                let mut chosen = PAGE_SIGNALS;
-                chosen.fill(63);
-                for (place, number) in chosen.iter_mut().zip(&signals) {
-                    *place = *number % 64;
-                }
+                let mut chosen = [UNUSED; PAGE_SIGNALS.len()];
+                chosen.iter_mut().zip(&signals).for_each(|(place, number)| *place = *number);
                 station.choose(now, every, chosen);
             }
             Ask::Inject { injection } => self.testbed.inject(injection),
             Ask::Kill => self.testbed.kill(),
             Ask::Link { loss, duplication, reordering, delay } => {
-                let quality = Quality {
-                    loss: share(loss),
-                    duplication: share(duplication),
-                    reordering: share(reordering),
-                    delay: share(delay),
-                };
+                let quality = Quality { loss, duplication, reordering, delay };
                 (self.testbed.up.quality, self.testbed.down.quality) = (quality, quality);
             }
             Ask::Record => {
@@ -331,9 +356,4 @@ impl Live {
 fn set_point(point: &Point) -> SetPoint {
     let Point { time, x, y, z, yaw } = *point;
     SetPoint { time, position: Vector3::new(x, y, z), yaw }
-}
-
-/// Limits a value to 0 to 1; 0 if it is not a number.
-fn share(value: f64) -> f64 {
-    if value.is_nan() { 0.0 } else { value.clamp(0.0, 1.0) }
 }

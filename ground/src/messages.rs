@@ -251,6 +251,8 @@ pub struct State {
     pub counts: Option<[u32; 8]>,
     /// Number of the flight mode.
     pub mode: Option<u8>,
+    /// True if a trajectory was sent that no flight has followed yet.
+    pub planned: bool,
     /// Values of the parameters; `None` for those not received yet.
     pub parameters: Vec<Option<f64>>,
     /// Number of connected pages.

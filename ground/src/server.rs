@@ -3,6 +3,7 @@
 //! * A GET never commands anything. A page with the token may request the right to command, which one client has at a
 //!   time; the others only watch. Stopping the motors needs only the token.
 //! * A WebSocket is opened only for pages of this server: `Origin` and `Host` are checked.
+//! * A recording needs the token, and is read piece by piece.
 //! * The numbers of connections and pages are limited; further ones are rejected.
 //! * A client that reads slowly misses frames; nothing waits for it. Commands that arrive faster than the testbed
 //!   takes them are rejected.
@@ -15,11 +16,13 @@ use crate::limited::Limited;
 use crate::messages::{Ask, Tell};
 use crate::page;
 use axum::Router;
+use axum::body::Body;
 use axum::extract::ws::{Message, Utf8Bytes, WebSocket, WebSocketUpgrade};
 use axum::extract::{Path, State};
 use axum::http::{HeaderMap, StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
+use serde_json::Value;
 use std::collections::VecDeque;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -28,6 +31,7 @@ use std::sync::mpsc::{SyncSender, TrySendError};
 use std::sync::{Arc, Mutex};
 use tokio::net::TcpListener;
 use tokio::sync::broadcast::{self, error::RecvError};
+use tokio_util::io::ReaderStream;
 
 /// Messages that a slow page may be behind: two seconds of frames.
 const QUEUE_LENGTH: usize = 128;
@@ -48,7 +52,7 @@ const LONGEST: usize = 16 * 1024;
 #[derive(Debug)]
 pub struct Hub {
     /// Channel to every page.
-    told: broadcast::Sender<Utf8Bytes>,
+    news: broadcast::Sender<Utf8Bytes>,
     /// Queue of the pages' requests, each with its client.
     asked: SyncSender<Ask>,
     /// First message to a page.
@@ -75,7 +79,7 @@ impl Hub {
         let mut bytes = [0; 16];
         getrandom::fill(&mut bytes)?;
         Ok(Arc::new(Self {
-            told: broadcast::channel(QUEUE_LENGTH).0,
+            news: broadcast::channel(QUEUE_LENGTH).0,
             asked,
             hello: text(hello),
             token: bytes.iter().map(|byte| format!("{byte:02x}")).collect(),
@@ -95,9 +99,9 @@ impl Hub {
 
     /// Sends a message to every page.
     pub fn tell(&self, what: &Tell) {
-        if self.told.receiver_count() > 0 {
+        if self.news.receiver_count() > 0 {
             // None listens any more: nobody is reported.
-            let _ = self.told.send(text(what).into());
+            let _ = self.news.send(text(what).into());
         }
     }
 
@@ -206,21 +210,31 @@ async fn file(Path(name): Path<String>) -> Response {
     (headers, content).into_response()
 }
 
-/// Serves the last recording.
-async fn flight(State(hub): State<Arc<Hub>>) -> Response {
+/// Serves the last recording to a client with the token.
+async fn flight(State(hub): State<Arc<Hub>>, headers: HeaderMap, address: Uri) -> Response {
+    let mut query = address.query().into_iter().flat_map(|query| query.split('&'));
+    let token = query.find_map(|part| part.strip_prefix("token=")).unwrap_or_default();
+    if !is_ours(&headers) || !is_same(token, &hub.token) {
+        let reason = "a recording is for clients with the token: use the link on the page";
+        return (StatusCode::FORBIDDEN, reason).into_response();
+    }
     let found = hub.recording.lock().ok().and_then(|place| place.clone());
-    let read = match found {
-        Some(path) => tokio::task::spawn_blocking(move || std::fs::read(path)).await.ok(),
-        None => None,
-    };
-    let Some(Ok(recording)) = read else {
+    let Some(path) = found else {
         return (StatusCode::NOT_FOUND, "nothing has been recorded").into_response();
+    };
+    let file = match tokio::fs::File::open(&path).await {
+        Ok(file) => file,
+        Err(error) => {
+            let reason = format!("the recording {} cannot be read: {error}", path.display());
+            return (StatusCode::NOT_FOUND, reason).into_response();
+        }
     };
     let headers = [
         (header::CONTENT_TYPE, "application/octet-stream"),
         (header::CONTENT_DISPOSITION, "attachment; filename=\"flight.mcap\""),
+        (header::CACHE_CONTROL, "no-store"),
     ];
-    (headers, recording).into_response()
+    (headers, Body::from_stream(ReaderStream::new(file))).into_response()
 }
 
 /// Opens a page's WebSocket.
@@ -248,13 +262,16 @@ async fn live(
         })
 }
 
-/// Returns true if the page comes from this server, or the client is no browser.
+/// Returns true if the host is this machine's, and the page comes from this server or the client is no browser.
 fn is_ours(headers: &HeaderMap) -> bool {
-    let Some(origin) = headers.get(header::ORIGIN) else { return true };
     let host = headers.get(header::HOST).and_then(|host| host.to_str().ok());
+    if !host.is_some_and(is_local_name) {
+        return false;
+    }
+    let Some(origin) = headers.get(header::ORIGIN) else { return true };
     let from = origin.to_str().ok().and_then(|origin| origin.parse::<Uri>().ok());
     let from = from.as_ref().and_then(Uri::authority).map(|it| it.as_str());
-    from.is_some() && from == host && host.is_some_and(is_local_name)
+    from.is_some() && from == host
 }
 
 /// Returns true if a host is an address or `localhost`. A foreign name that resolves to this machine is rejected.
@@ -267,7 +284,7 @@ fn is_local_name(host: &str) -> bool {
 /// Serves one page until it disconnects.
 async fn attend(mut socket: WebSocket, hub: &Hub) {
     let seat = hub.seat();
-    let mut news = hub.told.subscribe();
+    let mut news = hub.news.subscribe();
     let (mut trusted, mut held, mut seen) = (false, false, 0);
     if socket.send(Message::Text(hub.hello.clone().into())).await.is_err() {
         return;
@@ -285,7 +302,7 @@ async fn attend(mut socket: WebSocket, hub: &Hub) {
             }
         }
         tokio::select! {
-            told = news.recv() => match told {
+            message = news.recv() => match message {
                 Ok(message) => {
                     if socket.send(Message::Text(message)).await.is_err() {
                         return;
@@ -298,8 +315,8 @@ async fn attend(mut socket: WebSocket, hub: &Hub) {
             },
             heard = socket.recv() => {
                 let Some(Ok(message)) = heard else { return };
-                let Message::Text(asked) = message else { continue };
-                if let Some(answer) = answer(hub, &seat, &mut trusted, &asked)
+                let Message::Text(message) = message else { continue };
+                if let Some(answer) = answer(hub, &seat, &mut trusted, &message)
                     && socket.send(Message::Text(text(&answer).into())).await.is_err()
                 {
                     return;
@@ -310,10 +327,10 @@ async fn attend(mut socket: WebSocket, hub: &Hub) {
 }
 
 /// Answers a page's request, or queues it for the testbed if the page may make it.
-fn answer(hub: &Hub, seat: &Seat, trusted: &mut bool, asked: &str) -> Option<Tell> {
-    let ask: Ask = match serde_json::from_str(asked) {
+fn answer(hub: &Hub, seat: &Seat, trusted: &mut bool, message: &str) -> Option<Tell> {
+    let ask: Ask = match serde_json::from_str(message) {
         Ok(ask) => ask,
-        Err(error) => return Some(Tell::Refused { reason: error.to_string() }),
+        Err(_) => return Some(Tell::Refused { reason: unknown(message) }),
     };
     match ask {
         Ask::Ping { number } => Some(Tell::Pong { number }),
@@ -347,6 +364,15 @@ fn answer(hub: &Hub, seat: &Seat, trusted: &mut bool, asked: &str) -> Option<Tel
         },
         _ => Some(Tell::Refused { reason: "this page does not command".into() }),
     }
+}
+
+/// Returns the reason to refuse a message that is no request.
+fn unknown(message: &str) -> String {
+    let kind = serde_json::from_str::<Value>(message).ok();
+    let kind = kind.as_ref().and_then(|it| it["type"].as_str());
+    let kind = kind.map(|kind| kind.chars().take(40).collect::<String>());
+    let what = kind.map_or("a request".to_owned(), |kind| format!("the request \"{kind}\""));
+    format!("the server does not know {what} in this form: reload the page")
 }
 
 /// Compares two tokens in a time that does not depend on their difference.

@@ -46,6 +46,8 @@ pub enum Outcome {
 #[derive(Clone, Debug)]
 struct Pending {
     order: Order,
+    /// True if it was sent again.
+    repeated: bool,
     again: f64,
     until: f64,
 }
@@ -158,6 +160,11 @@ impl Station {
         self.signal(16) as u8
     }
 
+    /// Returns true if the command to arm is not confirmed yet.
+    pub fn is_arming(&self) -> bool {
+        self.pending.iter().any(|it| it.order == Order::Arm)
+    }
+
     /// Selects the signals of the downlink and their period.
     pub fn choose(&mut self, now: f64, every: u8, signals: [u8; 36]) {
         self.tag = self.tag.wrapping_add(1).max(1);
@@ -195,7 +202,8 @@ impl Station {
         self.pending.retain(|it| !replaces(&order, &it.order));
         self.send(&order);
         let until = if is_lasting(&order) { f64::INFINITY } else { now + RETRY_TIMEOUT };
-        self.pending.push(Pending { order, again: now + RETRY_PERIOD, until });
+        let again = now + RETRY_PERIOD;
+        self.pending.push(Pending { order, repeated: false, again, until });
     }
 
     /// Returns the datagram to be sent now, if any; `clock` is the time in milliseconds since 1970.
@@ -211,6 +219,7 @@ impl Station {
         for waiting in &mut self.pending {
             if now >= waiting.again {
                 waiting.again = now + RETRY_PERIOD;
+                waiting.repeated = true;
                 due.push(waiting.order.clone());
             }
         }
@@ -274,9 +283,8 @@ impl Station {
                 }
             }
         }
-        let (done, left): (Vec<Pending>, Vec<Pending>) = std::mem::take(&mut self.pending)
-            .into_iter()
-            .partition(|it| self.is_done(&it.order, news));
+        let (done, left): (Vec<Pending>, Vec<Pending>) =
+            std::mem::take(&mut self.pending).into_iter().partition(|it| self.is_done(it, news));
         self.pending = left;
         for Pending { order, .. } in done {
             let refused = matches!((&order, news), (Order::Set(_, wanted), News::Parameter(_, is)) if wanted != is);
@@ -285,11 +293,15 @@ impl Station {
     }
 
     /// Returns true if a message confirms a command.
-    fn is_done(&self, order: &Order, news: &News) -> bool {
+    fn is_done(&self, pending: &Pending, news: &News) -> bool {
         let phase = self.phase();
-        match (order, news) {
+        match (&pending.order, news) {
             (Order::Hello, _) => true,
-            (Order::Ask(number) | Order::Set(number, _), News::Parameter(it, _)) => number == it,
+            (Order::Ask(number), News::Parameter(it, _)) => number == it,
+            // Another value may answer an earlier command for the same parameter, unless the command was repeated since.
+            (Order::Set(number, wanted), News::Parameter(it, value)) => {
+                number == it && (wanted == value || pending.repeated)
+            }
             (Order::Choose(tag, ..), News::Record(record)) => record.tag == *tag,
             (Order::Mode(mode), News::Status(status)) => status.mode == *mode as u8,
             (Order::FlyAs(tag, _), News::Status(status)) => status.tag == *tag,

@@ -98,6 +98,7 @@ fn the_page_flies_the_aircraft() {
 
     // By keys alone: arm, take off.
     browser.press("m");
+    browser.click("#fly", (0.5, 0.5));
     browser.until("document.querySelector('#log').innerText.includes('trajectory: done')");
     browser.press("t");
     browser.until("Number(document.body.dataset.height) > 0.9");
@@ -127,11 +128,13 @@ fn the_page_flies_the_aircraft() {
     // The software has seen at its place now.
     browser.until("Math.abs(Number(document.body.dataset.height)) < 0.05 && document.body.dataset.place.split(',').slice(0, 2).every((it) => Math.abs(Number(it)) < 0.2)");
     browser.press("m");
+    browser.click("#fly", (0.5, 0.5));
+    browser.until("document.querySelector('#log').innerText.includes('trajectory: done')");
     browser.press("t");
     browser.until("Number(document.body.dataset.height) > 0.9");
 
     browser.press("Escape");
-    browser.until("document.body.dataset.alarm === 'asked'");
+    browser.until("document.body.dataset.alarm === 'commanded'");
     browser.until("document.body.dataset.phase === 'over'");
 
     assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");
@@ -186,9 +189,15 @@ fn the_page_is_used_by_keys_alone() {
     browser.until("document.querySelector('#log').innerText.includes('set parameter 19: done')");
 
     // Into the air, and to a point of the plan: eleven steps of 10 cm along x.
-    assert!(browser.tab_to("[data-order=arm]"));
+    assert!(browser.tab_to("[data-order=take_off]"));
+    browser.press("Enter");
+    let refused = "no trajectory since the last flight: send one first";
+    browser.until(&format!("(document.body.dataset.event ?? '').includes('{refused}')"));
+    assert!(browser.tab_to("#fly"));
     browser.press("Enter");
     browser.until("document.querySelector('#log').innerText.includes('trajectory: done')");
+    assert!(browser.tab_to("[data-order=arm]"));
+    browser.press("Enter");
     assert!(browser.tab_to("[data-order=take_off]"));
     browser.press(" ");
     browser.until("Number(document.body.dataset.height) > 0.9");
@@ -228,7 +237,7 @@ fn the_page_is_used_by_keys_alone() {
     browser.until(&format!("{gaps} > {before} + 5"));
     assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");
     browser.press("Escape");
-    browser.until("document.body.dataset.alarm === 'asked'");
+    browser.until("document.body.dataset.alarm === 'commanded'");
 }
 
 /// Counts the pictures that a page draws, second by second, and how long each stands.

@@ -143,8 +143,11 @@ impl Served {
     }
 
     fn get(&self, request: &str) -> String {
+        self.get_from(request, &self.address.to_string())
+    }
+
+    fn get_from(&self, request: &str, host: &str) -> String {
         let mut stream = TcpStream::connect(self.address).expect("the server listens");
-        let host = self.address;
         write!(stream, "{request} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n")
             .expect("the server listens");
         let mut answer = Vec::new();
@@ -188,12 +191,13 @@ fn whoever_has_no_token_watches() {
     let mut served = served();
     let mut page = Page::open(&served);
     assert!(!page.claim("", false) && !page.claim(&"0".repeat(32), true));
-    for asked in [json!({ "type": "stop" }), json!({ "type": "take_off" })] {
-        page.ask(&asked);
+    for request in [json!({ "type": "stop" }), json!({ "type": "take_off" })] {
+        page.ask(&request);
         assert_eq!(page.hear("refused")["reason"], "this page does not command");
     }
     page.ask(&json!({ "type": "nonsense" }));
-    assert!(page.hear("refused")["reason"].as_str().is_some_and(|it| it.contains("nonsense")));
+    let unknown = "the server does not know the request \"nonsense\" in this form: reload the page";
+    assert_eq!(page.hear("refused")["reason"], unknown);
     served.until("frames", |testbed| testbed.now() > 1.0);
     page.hear("frame");
     assert_eq!(page.hear("state")["commanded"], false);
@@ -310,6 +314,7 @@ fn a_thousand_connections_keep_nobody_from_flying() {
     assert!(said.any(|line| line.is_ok_and(|line| line == "crowded")));
     let (hub, served_at) = (served.hub.clone(), served.address);
     served.until("crowded", |_| hub.pages() > 200);
+    served.until("telemetry", |testbed| testbed.now() > 1.5);
 
     let points = json!([{ "time": 0, "x": 0, "y": 0, "z": 1, "yaw": 0 }]);
     page.ask(&json!({ "type": "fly", "points": points }));
@@ -471,6 +476,54 @@ fn what_happens_to_the_aircraft_is_an_event_for_pages_and_recordings() {
 }
 
 #[test]
+fn what_is_refused_is_reported_at_once_with_its_reason() {
+    let mut served = served();
+    let mut page = Page::open(&served);
+    assert!(page.claim(served.hub.token(), false));
+    let point = |x: f64| json!({ "type": "fly", "points": [{ "time": 0, "x": x, "y": 0, "z": 1, "yaw": 0 }] });
+    served.until("telemetry", |testbed| testbed.now() > 1.5);
+    for ask in [
+        json!({ "type": "take_off" }),
+        point(99.0),
+        json!({ "type": "set", "number": 0, "value": 99 }),
+    ] {
+        page.ask(&ask);
+    }
+    page.settle();
+    served.live.step().unwrap_or_else(|error| panic!("{error}"));
+    // A flight, after which its trajectory is not flown again.
+    page.ask(&point(0.0));
+    page.ask(&json!({ "type": "take_off" }));
+    page.settle();
+    served.until("in the air", |testbed| height(testbed) > 0.9);
+    page.ask(&json!({ "type": "arm" }));
+    page.ask(&json!({ "type": "land" }));
+    page.settle();
+    served.until("over", |testbed| testbed.station.phase() == models::Phase::Over as u8);
+    page.ask(&json!({ "type": "take_off" }));
+    page.ask(&json!({ "type": "arm" }));
+    page.ask(&json!({ "type": "take_off" }));
+    page.settle();
+    served.live.step().unwrap_or_else(|error| panic!("{error}"));
+    page.settle();
+    page.settle();
+    let refused: Vec<&str> = page
+        .events
+        .iter()
+        .filter_map(|event| event.split_once(" refused: ").map(|(_, reason)| reason))
+        .collect();
+    let expected = [
+        "no trajectory since the last flight: send one first",
+        "x of point 1 is 99 m; allowed are -3 to 3 m",
+        "99 N/m; allowed are 0.5 to 3 N/m",
+        "the aircraft is flying",
+        "the last flight is over: arm first",
+        "no trajectory since the last flight: send one first",
+    ];
+    assert_eq!(refused, expected);
+}
+
+#[test]
 fn a_recording_is_made_and_downloaded() {
     let mut served = served();
     let token = served.hub.token().to_owned();
@@ -482,7 +535,13 @@ fn a_recording_is_made_and_downloaded() {
     page.ask(&json!({ "type": "save" }));
     page.settle();
     served.until("saved", |testbed| testbed.now() > 2.0);
-    let answer = served.get("GET /flight.mcap");
+    let answer = served.get(&format!("GET /flight.mcap?token={token}"));
     assert!(answer.starts_with("HTTP/1.1 200") && answer.contains("MCAP0"));
+    for query in ["", "?token=", "?token=0", "?other=1"] {
+        let answer = served.get(&format!("GET /flight.mcap{query}"));
+        assert!(answer.starts_with("HTTP/1.1 403"), "{query}: {answer}");
+    }
+    let answer = served.get_from(&format!("GET /flight.mcap?token={token}"), "example.org");
+    assert!(answer.starts_with("HTTP/1.1 403"), "{answer}");
     assert!(std::fs::read_dir(served.folder.path()).expect("the folder").count() == 1);
 }

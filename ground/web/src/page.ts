@@ -78,6 +78,7 @@ function begin(tell: Hello): void {
   // The events until now follow.
   get("events").replaceChildren();
   plan.space = tell.space[0];
+  list();
   const seal = get("seal");
   seal.textContent = tell.authenticated ? "authenticated" : "unauthenticated";
   seal.className = tell.authenticated ? "good" : "poor";
@@ -119,6 +120,7 @@ function state(tell: State): void {
   }
   mode = tell.mode == null ? "" : MODES[tell.mode] ?? "";
   get("mode").textContent = mode || "–";
+  get("planned").textContent = flies() ? "is flown" : tell.planned ? "is on board: flown after the take-off" : "not sent since the last flight";
   tell.parameters.forEach((value, number) => {
     const input = document.getElementById(`parameter-${number}`) as HTMLInputElement | HTMLSelectElement | null;
     if (input && value != null && document.activeElement !== input) input.value = `${Number(value.toPrecision(6))}`;
@@ -127,7 +129,8 @@ function state(tell: State): void {
   get("record").textContent = recording.running ? "Stop recording" : "Record";
   get("recording").textContent = recording.error ?? (recording.running ? `${fixed(recording.periods * (hello?.period ?? 0), 0)} s` : "");
   get("recording").className = recording.error ? "bad" : "";
-  get("download").hidden = !recording.ready;
+  get("download").hidden = !recording.ready || !socket.trusted;
+  get<HTMLAnchorElement>("download").href = `flight.mcap?token=${socket.token}`;
   get("claim").textContent = commands ? "Give up command" : tell.commanded ? "Take command from other client" : "Take command";
   const rows: [string, string][] = [
     ["uplink: sent, lost, duplicated, reordered", [up.sent, up.lost, up.doubled, up.overtaken].join(", ")],
@@ -154,6 +157,9 @@ function playing(tell: Playing): void {
   if (!at.matches(":active")) at.value = `${tell.time}`;
   get("at-is").textContent = `${fixed(tell.time, 1)} of ${fixed(tell.to, 1)} s`;
 }
+
+/** Whether the aircraft is in a phase with motors on. */
+const flies = (): boolean => !["ready", "over"].includes(hello?.phases[history.now[PHASE] ?? 0] ?? "ready");
 
 function link(tell: State | undefined): void {
   const element = get("link");
@@ -249,11 +255,24 @@ function draw(): void {
 
 let points: Point[] = [{ time: 0, x: 0, y: 0, z: 1, yaw: 0 }];
 
+/** Limits of a column of the trajectory, in the units that are shown. */
+function bounds(name: keyof Point): [number, number] {
+  const [reach, low, high] = hello?.space ?? [3, 0, 3];
+  switch (name) {
+    case "time": return [0, 3600];
+    case "x": case "y": return [-reach, reach];
+    case "z": return [low, high];
+    case "yaw": return [-360, 360];
+  }
+}
+
 function list(): void {
   get("points").replaceChildren(...points.map((point, index) => {
     const row = make("tr");
     const cell = (name: keyof Point, scale = 1) => {
       const input = make("input", "", { type: "number", step: "any", "aria-label": `${name} of point ${index + 1}` });
+      [input.min, input.max] = bounds(name).map(String) as [string, string];
+      input.required = true;
       input.value = `${Math.round(point[name] * scale * 1000) / 1000}`;
       input.disabled = !commands;
       input.addEventListener("change", () => { point[name] = Number(input.value) / scale; });
@@ -270,13 +289,13 @@ function list(): void {
   }));
 }
 
-const send = (): void => ask("fly", { points });
-
-function order(type: string): void {
-  // There is somewhere to fly to before there is a take-off.
-  if (type === "arm") send();
-  ask(type);
+function send(): void {
+  const wrong = get("points").querySelector<HTMLInputElement>("input:invalid");
+  if (wrong) return say(`${wrong.ariaLabel}: ${wrong.min} to ${wrong.max}`, true);
+  ask("fly", { points });
 }
+
+const order = (type: string): void => ask(type);
 
 function choose(button: HTMLElement): void {
   const gain = button.dataset["gain"];

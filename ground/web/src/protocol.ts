@@ -12,7 +12,7 @@ export interface State {
   type: "state"; time: number; alive: boolean; restarts: number; silence: number | null;
   timing: { periods: number; missed: number; slowest: number };
   up: Counts; down: Counts; heard: { heard: number; broken: number; missing: number };
-  counts: number[] | null; mode: number | null; parameters: (number | null)[];
+  counts: number[] | null; mode: number | null; planned: boolean; parameters: (number | null)[];
   pages: number; commanded: boolean; skipped: number; refused: number;
   recording: { running: boolean; periods: number; error: string | null; ready: boolean };
 }

@@ -4,7 +4,8 @@ import type { Ask, Tell } from "./protocol";
 
 export class Socket {
   private socket: WebSocket | undefined;
-  private readonly token = new URLSearchParams(location.hash.slice(1)).get("token") ?? "";
+  /** The token in the address of this page, which permits commands and downloads. */
+  readonly token = new URLSearchParams(location.hash.slice(1)).get("token") ?? "";
   /** Whether this page wants to command. */
   wants = this.token !== "";
 
