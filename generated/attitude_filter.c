@@ -93,8 +93,7 @@ bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const
     }
     for (uint32_t n = 0U; n < 3U; n++) {
         self->angles[n] += gain[n] * innovation;
-        const double bias_operand = gain[n + 3U] * innovation;
-        self->bias[n] += bias_operand;
+        self->bias[n] += gain[n + 3U] * innovation;
     }
     double *const covariance_next = work;
     covariance_corrected_6(self->covariance, row, gain, variance, &work[36], covariance_next);

@@ -76,8 +76,8 @@ void parameters_hexacopter(mixer_t *work, parameters_t *parameters)
 {
     airframe_t airframe;
     airframe_hexacopter(&airframe);
-    mixer_t *const result_mixer = work;
-    mixer_new(&airframe, 2000.0, 500.0, result_mixer);
+    mixer_t *const mixer = work;
+    mixer_new(&airframe, 2000.0, 500.0, mixer);
     parameters_mambo(parameters);
     parameters->mass = airframe.mass;
     parameters->inertia[0] = airframe.inertia[0];
@@ -99,5 +99,5 @@ void parameters_hexacopter(mixer_t *work, parameters_t *parameters)
     parameters->yaw.p = 0.15;
     parameters->yaw.i = 0.0;
     parameters->yaw.d = 0.12;
-    parameters->mixer = *result_mixer;
+    parameters->mixer = *mixer;
 }

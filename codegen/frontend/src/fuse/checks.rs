@@ -5,12 +5,32 @@
 //!
 //! Must not know: why lowering checks an index.
 
+use std::collections::HashMap;
+
 use bessemer_ir::{
     CompareOp, Expr, ExprKind, Fault, Local, LocalId, Module, Place, Step, StmtKind, Type,
 };
 
 /// An index that is a local, and the length that it has to be below.
 pub(super) type Index = (LocalId, u32);
+
+/// For each counter of a loop between literals, a number above all its values.
+pub(super) type Counters = HashMap<LocalId, u64>;
+
+/// Notes the counter of a loop between literals.
+pub(super) fn count(counters: &mut Counters, stmt: &StmtKind) {
+    let StmtKind::For { variable, from, to, inclusive, .. } = stmt else { return };
+    let number = |expr: &Expr| match (&expr.kind, expr.ty.as_int()) {
+        (ExprKind::Literal(word), Some(int)) => u64::try_from(int.from_word(*word)).ok(),
+        _ => None,
+    };
+    let above = match (number(from), number(to)) {
+        (Some(_), Some(to)) => to.saturating_add(u64::from(*inclusive)),
+        _ => u64::MAX,
+    };
+    let known = counters.entry(*variable).or_default();
+    *known = above.max(*known);
+}
 
 /// Returns the local and the length of a check that the local is an index below that length.
 pub(super) fn index_check(stmt: &StmtKind) -> Option<Index> {
@@ -23,7 +43,7 @@ pub(super) fn index_check(stmt: &StmtKind) -> Option<Index> {
 }
 
 /// Returns the local that a value is.
-fn local(value: &Expr) -> Option<LocalId> {
+pub(super) fn local(value: &Expr) -> Option<LocalId> {
     match &value.kind {
         ExprKind::Load(place) if place.steps.is_empty() => Some(place.root),
         _ => None,
@@ -35,6 +55,7 @@ fn local(value: &Expr) -> Option<LocalId> {
 pub(super) fn doubtful(
     module: &Module,
     locals: &[Local],
+    counters: &Counters,
     place: &Place,
 ) -> Vec<Vec<Option<Index>>> {
     let mut ty = Some(locals[place.root.index()].ty.clone());
@@ -46,7 +67,8 @@ pub(super) fn doubtful(
             _ => Vec::new(),
         };
         let lengths = lengths.into_iter().map(Some).chain(std::iter::repeat(None));
-        let indices = step.indices().zip(lengths).filter(|(index, len)| !is_below(index, *len));
+        let indices =
+            step.indices().zip(lengths).filter(|(index, len)| !is_below(counters, index, *len));
         let indices = indices.map(|(index, len)| match step {
             // A slice may begin at the end.
             Step::From(_) => None,
@@ -59,9 +81,13 @@ pub(super) fn doubtful(
     doubtful.collect()
 }
 
-/// Returns whether an index is a literal below a length.
-fn is_below(index: &Expr, len: Option<u32>) -> bool {
+/// Returns true if an index is below a length: a literal, or a counter.
+fn is_below(counters: &Counters, index: &Expr, len: Option<u32>) -> bool {
     match (&index.kind, index.ty.as_int(), len) {
+        (ExprKind::Load(_), _, Some(len)) => {
+            let above = local(index).and_then(|it| counters.get(&it));
+            above.is_some_and(|above| *above <= u64::from(len))
+        }
         (ExprKind::Literal(word), Some(int), Some(len)) => {
             (0..i128::from(len)).contains(&int.from_word(*word))
         }

@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use bessemer_ir::visit::{Access, Visit, walk_block, walk_expr, walk_place, walk_stmt};
 use bessemer_ir::{Block, Expr, Local, LocalId, Module, Place, Stmt, StmtKind};
 
-use super::checks::{Index, doubtful, index_check};
+use super::checks::{Counters, Index, count, doubtful, index_check};
 
 /// Counts uses, parts, widths, loops and checks of temporaries.
 pub(super) struct Known<'f> {
@@ -18,6 +18,10 @@ pub(super) struct Known<'f> {
     pub may_go: Vec<bool>,
     /// Counts uses without those in checks of indices, which may be removed.
     pub uses: Vec<u32>,
+    /// Marks the locals that are declared or used.
+    pub mentioned: Vec<bool>,
+    /// Marks the locals that nothing writes.
+    constant: Vec<bool>,
     /// Marks the locals of which single parts are read.
     pub parts: Vec<bool>,
     /// Upper bound of the evaluation steps of each value, including the values of temporaries that only it reads.
@@ -30,10 +34,13 @@ pub(super) struct Known<'f> {
     /// Indices checked so far in the enclosing blocks, in `order` of their checks.
     checked: HashSet<Index>,
     order: Vec<Index>,
+    /// Index of each check that repeats an earlier check of the index, or that a counter always passes.
+    again: Vec<Option<Index>>,
     /// Indices that any check names.
     asserted: HashSet<Index>,
     /// Indices with a use that no check precedes.
     unchecked: HashSet<Index>,
+    pub counters: Counters,
 }
 
 impl<'f> Known<'f> {
@@ -44,6 +51,8 @@ impl<'f> Known<'f> {
             locals,
             may_go,
             uses: vec![0; count],
+            mentioned: vec![false; count],
+            constant: vec![true; count],
             parts: vec![false; count],
             width: vec![0; count],
             depth: vec![0; count],
@@ -52,8 +61,10 @@ impl<'f> Known<'f> {
             in_check: false,
             checked: HashSet::new(),
             order: Vec::new(),
+            again: Vec::new(),
             asserted: HashSet::new(),
             unchecked: HashSet::new(),
+            counters: Counters::new(),
         }
     }
 
@@ -63,10 +74,17 @@ impl<'f> Known<'f> {
         if self.uses[local.index()] == 1 { self.width[local.index()] } else { 0 }
     }
 
+    /// Removes the last check from the list; returns true if it is redundant.
+    pub fn is_last_again(&mut self) -> bool {
+        self.again.pop().flatten().is_some_and(|it| self.constant[it.0.index()])
+    }
+
     /// Returns true if a check precedes each use of these indices.
     pub fn are_checked(&self, indices: &[Option<Index>]) -> bool {
         let is_checked = |it: &Index| {
-            self.may_go[it.0.index()] && self.asserted.contains(it) && !self.unchecked.contains(it)
+            self.constant[it.0.index()]
+                && self.asserted.contains(it)
+                && !self.unchecked.contains(it)
         };
         indices.iter().all(|it| it.as_ref().is_some_and(is_checked))
     }
@@ -89,8 +107,11 @@ impl Visit for Known<'_> {
                 walk_stmt(self, stmt);
                 self.width[local.index()] = self.steps;
                 self.may_go[local.index()] &= value.is_some();
+                self.mentioned[local.index()] = true;
+                self.constant[local.index()] &= value.is_some();
             }
-            StmtKind::For { .. } => {
+            kind @ StmtKind::For { .. } => {
+                count(&mut self.counters, kind);
                 self.loops += 1;
                 walk_stmt(self, stmt);
                 self.loops -= 1;
@@ -100,6 +121,13 @@ impl Visit for Known<'_> {
                 self.in_check = check.is_some();
                 walk_stmt(self, stmt);
                 self.in_check = false;
+                if let StmtKind::Check { .. } = kind {
+                    let holds = |(index, len): &Index| {
+                        self.counters.get(index).is_some_and(|above| *above <= u64::from(*len))
+                    };
+                    let holds = |it: &Index| self.checked.contains(it) || holds(it);
+                    self.again.push(check.filter(holds));
+                }
                 let new = check.filter(|it| self.checked.insert(*it));
                 self.order.extend(new);
                 self.asserted.extend(check);
@@ -114,11 +142,16 @@ impl Visit for Known<'_> {
 
     fn place(&mut self, place: &Place, access: Access) {
         let at = place.root.index();
+        self.mentioned[at] = true;
         self.uses[at] += u32::from(!self.in_check);
         self.steps += 4 + self.room(place.root);
         self.may_go[at] &= access == Access::Read;
-        let doubtful = doubtful(self.module, self.locals, place).into_iter().flatten().flatten();
-        for index in doubtful.filter(|it| self.may_go[it.0.index()]) {
+        self.constant[at] &= access == Access::Read;
+        let doubtful = doubtful(self.module, self.locals, &self.counters, place)
+            .into_iter()
+            .flatten()
+            .flatten();
+        for index in doubtful {
             if !self.checked.contains(&index) {
                 self.unchecked.insert(index);
             }

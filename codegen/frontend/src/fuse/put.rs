@@ -7,7 +7,7 @@ use bessemer_ir::visit::{
 };
 use bessemer_ir::{Block, Expr, ExprKind, Function, LocalId, Place, Stmt, StmtKind};
 
-use super::Decided;
+use super::decide::Decided;
 
 /// Substitutes the values of the locals that go where they are read, and removes checks. With `blanks`, an empty statement
 /// replaces each declaration and check, so that indices of statements stay.

@@ -90,7 +90,7 @@ impl Lowering<'_, '_> {
             return self.node(ExprKind::Matrix(elements), ty, expr.site);
         }
         let mut source = self.base(from)?;
-        self.keep_indices(&mut source, |index| !index.is_literal());
+        self.fix(&mut source);
         let (outer, inner) = match (dimensions(&ty), dimensions(&source.ty)) {
             (Some(dimensions), None) | (None, Some(dimensions)) => dimensions,
             _ => return problem(expr.site, "this is no array of a matrix' elements", OUR_FAULT),

@@ -9,6 +9,7 @@
 //! Must not know: how the lenders of a function's values are found ([`lenders`](super::lenders)).
 
 use bessemer_ir::tree::{Site, Ty};
+use bessemer_ir::visit::Walk;
 use bessemer_ir::{Expr, Field, LocalId, Place, Span, Step, StructId, Type};
 
 use super::{Context, Problem, Result, refusals, refused};
@@ -56,6 +57,13 @@ impl Lenders {
     /// Returns the lender of the slice at a spot.
     pub fn of(&self, spot: &Spot) -> Option<Place> {
         self.known.iter().find(|it| it.0 == *spot).map(|it| it.1.clone())
+    }
+
+    /// Returns true if the place of a lender contains a local for which `is` holds.
+    pub fn mention(&self, is: &dyn Fn(LocalId) -> bool) -> bool {
+        let lenders = self.known.iter().map(|it| &it.1).chain(self.made.iter().map(|it| &it.1));
+        let mut reached = lenders.map(|place| place.load());
+        reached.any(|place| place.any_place(|place, _| is(place.root)))
     }
 
     /// Returns the numbers of unresolved lenders and copies, and true if a slice was refused.

@@ -106,7 +106,7 @@ impl Lowering<'_, '_> {
 
     fn list(&mut self, expr: &tree::Expr) -> Result<Bounded> {
         let mut place = self.base(expr)?;
-        self.keep_indices(&mut place, |index| !index.is_literal());
+        self.fix(&mut place);
         self.list_at(&place).needed(expr.site, "this is not a `List`")
     }
 
@@ -119,19 +119,14 @@ impl Lowering<'_, '_> {
         span: Span,
     ) -> Result<Place> {
         let is_matrix = self.contained(&place.ty).is_some_and(|(.., columns)| columns.is_some());
-        let mut indices = self.settling(
-            |inner| match is_matrix {
-                true => inner.bounded_indices(index).map(Vec::from),
-                false => inner.value(index, Some(&Type::USIZE)).map(|index| vec![index]),
-            },
-            |inner, _, later| inner.settle_place(&mut place, later),
-        )?;
-        if !is_matrix {
-            self.keep_indices(&mut place, |index| !index.is_literal());
-            for index in &mut indices {
-                *index = self.atom(words::INDEX, index.clone());
+        self.fix(&mut place);
+        let indices = match is_matrix {
+            true => self.bounded_indices(index)?.to_vec(),
+            false => {
+                let index = self.value(index, Some(&Type::USIZE))?;
+                Vec::from([self.atom(words::INDEX, index)])
             }
-        }
+        };
         let Some(bounded) = self.bounded(&place) else { return Ok(place) };
         let sizes = || {
             [(&bounded.length, bounded.capacity)]
@@ -177,7 +172,7 @@ impl Lowering<'_, '_> {
         Each { site, label, pattern, body, .. }: Each,
     ) -> Result<()> {
         let span = self.span(site);
-        self.keep_moving(&mut matrix);
+        self.fix(&mut matrix);
         let Some(matrix) = self.bounded(&matrix) else { return Ok(()) };
         let Some((columns, most)) = &matrix.columns else { return Ok(()) };
         let mut end = |name, size: &Place, most: u32| {
@@ -314,7 +309,7 @@ impl Lowering<'_, '_> {
         };
         let (one, other) = (left.length.load(), right.length.load());
         let as_long = Expr::compare(CompareOp::Eq, one.clone(), other).at(span);
-        self.and_then(as_long, |inner| {
+        self.and_then(as_long, &mut Vec::new(), |inner, _| {
             let count = lesser(one, Expr::usize(u64::from(left.capacity), span));
             inner.all_equal(count, span, |inner, index| {
                 let sides = [left.at([index.clone()]), right.at([index])];

@@ -157,11 +157,8 @@ impl Lowering<'_, '_> {
                 ExprKind::Splat(Box::new(first.needed(expr.site, "this takes an element")?))
             }
             _ => {
-                // The author writes rows; the IR, as nalgebra, stores columns.
-                let mut by_rows = self.alike(arguments, Some(scalar), &words::OPERANDS)?;
-                if rows > 1 && cols > 1 {
-                    self.keep_order(&mut by_rows);
-                }
+                // The author writes rows; the IR, as nalgebra, stores columns. The last element is the last of both.
+                let by_rows = self.alike(arguments, Some(scalar), &words::OPERANDS)?;
                 let by_columns = (0..rows * cols)
                     .map(|index| by_rows[((index % rows) * cols + index / rows) as usize].clone())
                     .collect();

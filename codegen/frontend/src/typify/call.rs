@@ -76,10 +76,12 @@ impl<'a> Lowering<'a, '_> {
                     None => break,
                 },
             };
-            let next = self.settling(
-                |inner| inner.passed(argument, parameter.as_ref(), &mut copies),
-                |inner, _, later| inner.settle_arguments(&mut passed, later),
-            )?;
+            let mut next = self.passed(argument, parameter.as_ref(), &mut copies)?;
+            let is_last = index + 1 == arguments.len();
+            // A slice begins and ends where nothing writes.
+            if let [one] = next.as_mut_slice() {
+                self.hold_argument(one, argument, is_last);
+            }
             // The length of a slice is a parameter of its own.
             parameters.by_ref().take(next.len().saturating_sub(1)).for_each(drop);
             let lenders = match (&parameter, next.as_slice()) {
@@ -92,10 +94,6 @@ impl<'a> Lowering<'a, '_> {
             passed.extend(lenders);
         }
         passed.extend(more);
-        self.keep_copies(&mut passed)?;
-        if self.cx.given_back.get(&id).is_some_and(|given| !given.is_empty()) {
-            self.settle_lent(&mut passed);
-        }
         if !alias::conflicts(&passed).is_empty() {
             return refused(expr.site, refusals::MAY_MEET);
         }
@@ -142,25 +140,32 @@ impl<'a> Lowering<'a, '_> {
         Ok(vec![passed])
     }
 
-    /// Copies arguments whose source the call may write: `v.axpy(a, &v.clone(), b)`.
-    fn keep_copies(&mut self, passed: &mut [Argument]) -> Result<()> {
-        let written = passed.iter().filter_map(lent).filter(|(_, written)| *written);
-        let lent: Vec<_> = written.map(|(place, _)| place.clone()).collect();
-        for index in 0..passed.len() {
-            let (before, [argument, ..]) = passed.split_at_mut(index) else { break };
-            // What is computed is held anyway; a place would be passed itself.
-            if let Argument::Ref(value) = argument
-                && matches!(value.kind, ExprKind::Load(_))
-                && !matches!(value.ty, Type::Slice(_))
-                && effects::reads(value, &lent)
+    /// Evaluates an argument before the next: holds a value, checks a borrowed place. The last value needs no local.
+    fn hold_argument(&mut self, argument: &mut Argument, expr: &tree::Expr, is_last: bool) {
+        match argument {
+            Argument::Value(_) if is_last => {}
+            Argument::RefMut(place) => self.fix(place),
+            Argument::Ref(Expr { kind: ExprKind::Load(place), .. })
+                if is_place(expr) && !self.is_loan(place) =>
             {
-                *value = self.settling(
-                    |inner| Ok(inner.temporary(words::ARGUMENT, value.clone())),
-                    |inner, _, later| inner.settle_arguments(before, later),
-                )?;
+                self.fix(place);
+            }
+            Argument::Value(value) | Argument::Ref(value) => {
+                *value = self.atom(words::ARGUMENT, value.clone());
             }
         }
-        Ok(())
+    }
+}
+
+/// Returns true if an expression is a place, or borrows one.
+fn is_place(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Local(_) => true,
+        tree::ExprKind::Ref(_, inner)
+        | tree::ExprKind::Deref(inner)
+        | tree::ExprKind::Field(inner, _)
+        | tree::ExprKind::Index(inner, _) => is_place(inner),
+        _ => false,
     }
 }
 

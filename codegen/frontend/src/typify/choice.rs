@@ -178,7 +178,9 @@ impl Lowering<'_, '_> {
             let before = test.condition.take();
             test.condition = Some(match before {
                 Some(before) => {
-                    self.and_then(before, |inner| inner.pattern_condition(guard, &mut names))?
+                    let guarded =
+                        |inner: &mut Self, names: &mut _| inner.pattern_condition(guard, names);
+                    self.and_then(before, &mut names, guarded)?
                 }
                 None => self.pattern_condition(guard, &mut names)?,
             });

@@ -79,7 +79,7 @@ impl Lowering<'_, '_> {
     /// Returns the place of a compared value; its indices are evaluated once.
     pub(super) fn compared(&mut self, value: Expr) -> Place {
         let mut place = self.hold(value);
-        self.keep_moving(&mut place);
+        self.fix(&mut place);
         place
     }
 
@@ -125,7 +125,7 @@ impl Lowering<'_, '_> {
             return Ok(Expr::logic(LogicOp::And, there, same));
         }
         let pair = Pair { sides: [own, self.compared(part)], site, span };
-        self.and_then(there, |inner| inner.equal(&pair))
+        self.and_then(there, &mut Vec::new(), |inner, _| inner.equal(&pair))
     }
 
     /// Returns true if a struct has only fields of one word, which are compared as words.
@@ -263,7 +263,7 @@ impl Lowering<'_, '_> {
             };
             all = Some(match all {
                 None => compare(self)?,
-                Some(all) => self.and_then(all, compare)?,
+                Some(all) => self.and_then(all, &mut Vec::new(), |inner, _| compare(inner))?,
             });
         }
         Ok(all.unwrap_or_else(|| Expr::bool(true, pair.span)))
@@ -381,7 +381,7 @@ impl Lowering<'_, '_> {
                 }
             };
             let of_case = if op == strict(op) {
-                self.and_then(there, ordered)?
+                self.and_then(there, &mut Vec::new(), |inner, _| ordered(inner))?
             } else {
                 self.short_circuit(LogicOp::Or, there.negated(), span, ordered)?
             };

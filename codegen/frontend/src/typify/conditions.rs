@@ -8,6 +8,7 @@ use bessemer_ir::{
 
 use super::Result;
 use super::lowering::Lowering;
+use super::order::read_later;
 use super::rewrite::is_pure;
 use super::subject::{Placeholder, is_among};
 use super::value::{Named, Value};
@@ -31,7 +32,7 @@ impl Lowering<'_, '_> {
             }
             Tree::Binary(tree::BinaryOp::LogicAnd, left, right) if has_let(expr) => {
                 let left = self.pattern_condition(left, names)?;
-                self.and_then(left, |inner| inner.further_condition(right, names))
+                self.and_then(left, names, |inner, names| inner.further_condition(right, names))
             }
             _ => self.value(expr, Some(&Type::BOOL)),
         }
@@ -116,6 +117,7 @@ impl Lowering<'_, '_> {
         right: impl FnOnce(&mut Self) -> Result<Expr>,
     ) -> Result<Expr> {
         let (right, inner) = self.apart(right)?;
+        let (right, inner) = self.joined(right, inner, &[]);
         match inner.is_empty() {
             true => Ok(Expr::logic(op, left, right).at(span)),
             false => Ok(self.right_behind(op, left, right, inner)),
@@ -138,13 +140,15 @@ impl Lowering<'_, '_> {
         held
     }
 
-    /// Lowers `left && right` so that locals declared by the right side can be read after it.
+    /// Lowers `left && right` so that `names`, which later code uses, denote the locals that the right side declares.
     pub(super) fn and_then(
         &mut self,
         left: Expr,
-        right: impl FnOnce(&mut Self) -> Result<Expr>,
+        names: &mut Vec<Named>,
+        right: impl FnOnce(&mut Self, &mut Vec<Named>) -> Result<Expr>,
     ) -> Result<Expr> {
-        let (right, inner) = self.apart(right)?;
+        let (right, inner) = self.apart(|inner| right(inner, names))?;
+        let (right, inner) = self.joined(right, inner, names);
         if inner.is_empty() {
             return Ok(Expr::logic(LogicOp::And, left, right));
         }
@@ -153,13 +157,15 @@ impl Lowering<'_, '_> {
             return Ok(right);
         }
         let mut kept = Vec::new();
+        let later = read_later(&self.lenders, &inner, names);
         for stmt in inner {
             let Stmt { kind: StmtKind::Let { local, value }, span, comments } = stmt else {
                 kept.push(stmt);
                 continue;
             };
             // Where a block is left, nothing is declared.
-            if self.frames.iter().any(|frame| frame.mark == Some(local)) {
+            let own = self.atoms.contains(&local) && !later.contains(&local);
+            if own || self.frames.iter().any(|frame| frame.mark == Some(local)) {
                 kept.push(Stmt { kind: StmtKind::Let { local, value }, span, comments });
                 continue;
             }

@@ -12,6 +12,7 @@ use super::value::Value;
 use super::words;
 use super::{Needed, Result, order, refusals, refused};
 use crate::standard;
+use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
     /// Lowers `expr` and assigns its value to `target`.
@@ -420,13 +421,18 @@ impl Lowering<'_, '_> {
                 let mark = self.out.len();
                 let target = self.writable(place)?;
                 let later = self.later(mark);
-                if later.is_empty() {
-                    self.into(value, &Target::Place(target))?;
-                } else {
-                    // Rust computes the value before the place.
-                    let value = self.value(value, Some(&target.ty))?;
-                    self.out.extend(later);
-                    self.emit(StmtKind::Assign { place: target, value }, span);
+                // Rust computes the value before the place. A place without statements of its own is assigned in each branch.
+                match self.joined(target.load(), later.clone(), &[]) {
+                    (Expr { kind: ExprKind::Load(target), .. }, left)
+                        if left.is_empty() && !effects::calls(&target.load()) =>
+                    {
+                        self.into(value, &Target::Place(target))?;
+                    }
+                    _ => {
+                        let value = self.value(value, Some(&target.ty))?;
+                        self.out.extend(later);
+                        self.emit(StmtKind::Assign { place: target, value }, span);
+                    }
                 }
             }
             None => {
@@ -472,7 +478,7 @@ impl Lowering<'_, '_> {
             return Ok(place.clone());
         }
         let mut found = self.writable(place)?;
-        self.keep_indices(&mut found, |index| !index.is_literal());
+        self.fix(&mut found);
         self.bind(PLACE, Value::Place(found));
         Ok(tree::Expr { kind: Tree::Local(PLACE.to_owned()), ..place.clone() })
     }
@@ -489,21 +495,13 @@ impl Lowering<'_, '_> {
         if ty.is_word() {
             let value = self.value(value, expected.as_ref())?;
             let value = self.atom(words::OPERAND, value);
-            let mut place = self.writable(place)?;
-            self.keep_indices(&mut place, order::has_effect);
-            return Ok((place, value));
+            let mark = self.out.len();
+            let place = self.writable(place)?;
+            return Ok((self.joined_place(mark, place), value));
         }
         let mut place = self.writable(place)?;
-        self.keep_indices(&mut place, order::has_effect);
-        let value = self.settling(
-            |inner| inner.value(value, expected.as_ref()),
-            |inner, value, later| {
-                inner.settle_place(&mut place, later);
-                if order::has_effect(value) {
-                    inner.keep_indices(&mut place, |index| !index.is_literal());
-                }
-            },
-        )?;
+        self.fix(&mut place);
+        let value = self.value(value, expected.as_ref())?;
         Ok((place, value))
     }
 

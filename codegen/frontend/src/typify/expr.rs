@@ -17,7 +17,7 @@ use super::{Needed, OUR_FAULT, Result, literal, problem, refusals, refused};
 pub(super) struct Operand<'e> {
     pub expr: &'e tree::Expr,
     pub expected: Option<Type>,
-    pub role: &'static str,
+    pub role: &'e str,
 }
 
 /// A call of an operation of the DSL: its arguments, and the whole expression.
@@ -403,19 +403,41 @@ impl Lowering<'_, '_> {
         Ok(self.decided_by(name, ty, Some(expr), span)?.load())
     }
 
-    /// Lowers operands left to right. If a later one needs statements, earlier values that these could change are
-    /// held in temporaries.
+    /// Lowers operands left to right. Each but the last is held before the next.
     pub(super) fn operands(&mut self, operands: &[Operand<'_>]) -> Result<Vec<Expr>> {
         let mut values: Vec<Expr> = Vec::new();
         for (index, operand) in operands.iter().enumerate() {
-            let roles = operands[..index].iter().map(|operand| operand.role);
-            let value = self.settling(
-                |inner| inner.read(operand.expr, operand.expected.as_ref()),
-                |inner, _, later| inner.settle_all(values.iter_mut().zip(roles), later),
-            )?;
-            values.push(value);
+            let value = self.read(operand.expr, operand.expected.as_ref())?;
+            values.push(match index + 1 < operands.len() {
+                true => self.operand_held(operand.role, value),
+                false => value,
+            });
         }
         Ok(values)
+    }
+
+    /// Holds an operand. A computed aggregate is named by its type.
+    fn operand_held(&mut self, role: &str, value: Expr) -> Expr {
+        let computed =
+            !matches!(value.kind, ExprKind::Load(_) | ExprKind::Struct(_) | ExprKind::Array(_));
+        match self.atomic(role, value) {
+            Err(value) if computed && !value.ty.is_word() => {
+                let place = self.hold(value);
+                self.atoms.insert(place.root);
+                place.load()
+            }
+            Err(value) => self.atom_place(role, value).load(),
+            Ok(value) => value,
+        }
+    }
+
+    /// Lowers operands left to right and holds each in a local with the name of its role.
+    pub(super) fn parts_held(&mut self, operands: &[Operand<'_>]) -> Result<Vec<Expr>> {
+        let held = operands.iter().map(|operand| {
+            let value = self.read(operand.expr, operand.expected.as_ref())?;
+            Ok(self.naming_as("", |inner| inner.atom(operand.role, value)))
+        });
+        held.collect()
     }
 
     /// Lowers operands of one expected type. An operand without a role is named as an element.

@@ -7,6 +7,7 @@ use super::expr::Operand;
 use super::generic::Case;
 use super::lowering::{Lowering, local_since};
 use super::syntax::numbered;
+use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
 impl Lowering<'_, '_> {
@@ -128,19 +129,20 @@ impl Lowering<'_, '_> {
         let declared = self.cx.fields(id).to_vec();
         let at = |(name, _): &(String, _)| self.cx.field_at(id, name).flatten();
         let places: Vec<Option<usize>> = fields.iter().map(at).collect();
-        let operands = fields.iter().zip(&places).map(|((_, expr), at)| Operand {
+        // Values are evaluated in the author's order. If the definition has another, each is held.
+        let in_order = rest.is_none() && places.iter().flatten().is_sorted();
+        let operands = fields.iter().zip(&places).map(|((name, expr), at)| Operand {
             expr,
             expected: at.map(|at| declared[at].ty.clone()),
-            role: "part",
+            role: if in_order { words::PART } else { name },
         });
         let operands: Vec<_> = operands.collect();
         let before = self.locals.len();
-        // In the author's order; then into the order of the definition.
-        let mut values = self.operands(&operands)?;
-        let rest = match rest {
-            Some(rest) => Some(self.rest(&mut values, fields, rest)?),
-            None => None,
+        let values = match in_order {
+            true => self.operands(&operands)?,
+            false => self.parts_held(&operands)?,
         };
+        let rest = rest.map(|rest| self.base(rest)).transpose()?;
         // Where the rest is a value that was held just now, that becomes the struct.
         let is_made =
             |it: &&Place| local_since(it, before).is_some_and(|it| self.held.contains(&it));
@@ -155,9 +157,6 @@ impl Lowering<'_, '_> {
             self.release(made.root);
             return Ok(made.load());
         }
-        // What holds nothing has been done.
-        let sorted = places.iter().flatten().is_sorted();
-        self.keep_order_of_fields(&mut values, sorted, rest.is_some(), fields);
         let mut ordered = Vec::new();
         for (at, field) in declared.iter().enumerate() {
             let value = match (places.iter().position(|place| *place == Some(at)), &rest) {
@@ -171,37 +170,5 @@ impl Lowering<'_, '_> {
             ordered.push(value);
         }
         self.node(ExprKind::Struct(ordered), Type::Struct(id), expr.site)
-    }
-
-    /// Evaluates field values in the author's order, if another order could be observed.
-    fn keep_order_of_fields(
-        &mut self,
-        values: &mut [Expr],
-        sorted: bool,
-        rest: bool,
-        fields: &[(String, tree::Expr)],
-    ) {
-        if sorted && !rest {
-            return;
-        }
-        self.naming_as("", |inner| {
-            for (value, (name, _)) in values.iter_mut().zip(fields) {
-                *value = inner.atom(name, value.clone());
-            }
-        });
-    }
-
-    /// Returns the place of `..base`; earlier values that its statements could change are held before.
-    fn rest(
-        &mut self,
-        values: &mut [Expr],
-        fields: &[(String, tree::Expr)],
-        rest: &tree::Expr,
-    ) -> Result<Place> {
-        let names = fields.iter().map(|(name, _)| name.as_str());
-        self.settling(
-            |inner| inner.base(rest),
-            |inner, _, later| inner.settle_all(values.iter_mut().zip(names), later),
-        )
     }
 }

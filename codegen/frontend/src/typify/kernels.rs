@@ -65,7 +65,7 @@ impl Lowering<'_, '_> {
         let (mut passed, mut back) = (Vec::new(), Vec::new());
         for (argument, (mode, ty)) in arguments.iter().zip(parameters) {
             let mut place = self.base(argument)?;
-            self.keep_indices(&mut place, |index| !index.is_literal());
+            self.fix(&mut place);
             let place = match place.ty {
                 Type::Matrix { rows, cols, .. } if place.ty != ty => {
                     let columns = self.mutable_place("columns", self.zero(&ty, place.span));
@@ -178,7 +178,7 @@ impl Lowering<'_, '_> {
                 true => value,
                 false => {
                     let mut place = self.hold(value);
-                    self.keep_indices(&mut place, |index| !index.is_literal());
+                    self.fix(&mut place);
                     place.load()
                 }
             });

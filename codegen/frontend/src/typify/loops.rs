@@ -4,7 +4,10 @@
 //! ends. Leaving a loop that is not the innermost sets a flag: each loop in between ends, and the flag is tested
 //! after it.
 
+use std::collections::HashSet;
+
 use bessemer_ir::tree::{self, Builtin, ListMethod, Pattern, Site};
+use bessemer_ir::visit::Walk;
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Fault, Int, LocalId, LogicOp, Mode, Place, Scalar, Span,
     Step, Stmt, StmtKind, Type,
@@ -103,7 +106,7 @@ impl Lowering<'_, '_> {
                     _ if condition.is_none() => {
                         // What leaves an outer loop is looked at right behind this one.
                         if inner.frames.last().is_some_and(|frame| frame.behind.is_empty()) {
-                            behind = last_breath(&mut body);
+                            behind = last_breath(&inner.atoms, &mut body);
                         }
                         return inner.ended_loop(site, body);
                     }
@@ -160,18 +163,19 @@ impl Lowering<'_, '_> {
         let is_true = |condition: &Expr| condition.kind == ExprKind::Literal(1);
         let (mut holds, mut heads) = (Expr::bool(true, span), Vec::new());
         for part in conjuncts(condition) {
-            let at = self.out.len();
-            let next = self.further_condition(part, names)?;
-            holds = match self.out.len() == at {
+            let (next, stmts) = self.apart(|inner| inner.further_condition(part, names))?;
+            let (next, stmts) = self.joined(next, stmts, names);
+            holds = match stmts.is_empty() {
                 _ if is_true(&holds) => next,
                 true if is_true(&next) => holds,
                 true => Expr::logic(LogicOp::And, holds, next),
                 false => {
-                    self.out.insert(at, leave(holds));
-                    heads.push(at);
+                    heads.push(self.out.len());
+                    self.out.push(leave(holds));
                     next
                 }
             };
+            self.out.extend(stmts);
         }
         // What always holds leaves nowhere.
         if heads.is_empty() || !is_true(&holds) {
@@ -496,23 +500,6 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Returns the statements before the only `break`, with which a loop body begins, and removes them. They run after
-/// the loop.
-fn last_breath(body: &mut Block) -> Vec<Stmt> {
-    let Some((head, rest)) = body.0.split_first_mut() else { return Vec::new() };
-    match &mut head.kind {
-        StmtKind::If { then, .. } if !rest.iter().any(breaks_in) => match then.0.last() {
-            Some(Stmt { kind: StmtKind::Break, .. }) => then.0.drain(..then.0.len() - 1).collect(),
-            Some(Stmt { kind: StmtKind::Return(_), span, .. }) => {
-                let only = Block::of(StmtKind::Break, *span);
-                std::mem::replace(then, only).0
-            }
-            _ => Vec::new(),
-        },
-        _ => Vec::new(),
-    }
-}
-
 /// Returns the loop that the `if … { break; }` at index `head` of its body leaves.
 fn left_at<'a>(body: &'a [Stmt], head: usize, lead: &'a [Stmt]) -> Option<Loop<'a>> {
     let StmtKind::If { condition, then, otherwise } = &body.get(head)?.kind else { return None };
@@ -528,6 +515,30 @@ fn left_at<'a>(body: &'a [Stmt], head: usize, lead: &'a [Stmt]) -> Option<Loop<'
 
 fn no_end() -> termination::Reason {
     "its body has no `if … { break; }` of its own".into()
+}
+
+/// Returns the statements before the only `break`, with which a loop body begins, and removes them. They run after
+/// the loop.
+fn last_breath(atoms: &HashSet<LocalId>, body: &mut Block) -> Vec<Stmt> {
+    let is_held = |stmt: &&Stmt| fuse::may_go(stmt, atoms);
+    let count = body.0.iter().take_while(is_held).count();
+    let (held, body) = body.0.split_at_mut(count);
+    let Some((head, rest)) = body.split_first_mut() else { return Vec::new() };
+    let StmtKind::If { then, .. } = &mut head.kind else { return Vec::new() };
+    let declares = |place: &Place| {
+        held.iter().any(|it| matches!(it.kind, StmtKind::Let { local, .. } if local == place.root))
+    };
+    if rest.iter().any(breaks_in) || then.any_place(|place, _| declares(place)) {
+        return Vec::new();
+    }
+    match then.0.last() {
+        Some(Stmt { kind: StmtKind::Break, .. }) => then.0.drain(..then.0.len() - 1).collect(),
+        Some(Stmt { kind: StmtKind::Return(_), span, .. }) => {
+            let only = Block::of(StmtKind::Break, *span);
+            std::mem::replace(then, only).0
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// Returns the operands of nested `&&`, in order.

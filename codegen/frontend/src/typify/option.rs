@@ -5,9 +5,8 @@ use bessemer_ir::{Block, Expr, Fault, Place, Span, StmtKind, StructId, Type};
 
 use super::expr::{Call, Operand};
 use super::lowering::Lowering;
-use super::order::is_free;
+use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused, struct_of};
-use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
     /// Lowers a method of `Option` or `Result`.
@@ -69,18 +68,14 @@ impl Lowering<'_, '_> {
     fn exchanged(&mut self, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
         let span = self.span(expr.site);
         let mut place = self.place(&arguments[0])?.or_refused(expr.site, refusals::PLACE)?;
+        self.fix(&mut place);
         let id = struct_of(&place.ty, expr.site, "an `Option`")?;
         let next = match arguments.get(1) {
             None => self.choice(id, 0, None, expr.site)?,
             Some(value) => {
                 let held = self.payload_type(id, "Some");
-                let value = self.settling(
-                    |inner| inner.value(value, held.as_ref()),
-                    |inner, _, later| inner.settle_place(&mut place, later),
-                )?;
-                if !is_free(&value) {
-                    self.fix(&mut place);
-                }
+                let value = self.value(value, held.as_ref())?;
+                let value = self.atom(words::VALUE, value);
                 self.choice(id, 1, Some(value), expr.site)?
             }
         };
@@ -110,17 +105,10 @@ impl Lowering<'_, '_> {
             operands.push(Operand { expr: argument, expected: other, role: "right" });
         }
         let mut values = self.operands(&operands)?.into_iter();
-        let (Some(mut first), second) = (values.next(), values.next()) else {
+        let (Some(first), second) = (values.next(), values.next()) else {
             return problem(site, "this takes an `Option`", OUR_FAULT);
         };
-        // The first is read after the second is computed, and must be what it was before.
-        if second.iter().any(|second| effects::reads(&first, &effects::lent(second))) {
-            first = self.temporary("before", first);
-        }
-        let mut place = self.hold(first);
-        if second.iter().any(|second| !is_free(second)) {
-            self.fix(&mut place);
-        }
+        let place = self.hold(first);
         let (mut there, value) =
             self.present(&place, method == M::Err).needed(site, "this is not an `Option`")?;
         let value = value.map(|value| value.load());

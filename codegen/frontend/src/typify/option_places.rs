@@ -105,7 +105,7 @@ impl Lowering<'_, '_> {
         let (meaning, span) = (self.lookup(TRIED, tried.site)?, self.span(tried.site));
         let mut place = self.place_of(&meaning, span);
         if let Some(place) = &mut place {
-            self.keep_moving(place);
+            self.fix(place);
         }
         Ok(place)
     }

@@ -3,15 +3,20 @@
 //! The IR evaluates an expression at its place in a statement, and statements that a later operand needs come before
 //! that statement. So earlier operands that these statements could change are first held in locals.
 
+use std::cell::RefCell;
+use std::collections::HashSet;
+
 use bessemer_ir::visit::{Access, Walk};
 use bessemer_ir::{
-    Argument, CompareOp, Expr, ExprKind, Fault, Intrinsic, LocalId, Place, Scalar, Step, Stmt,
+    CompareOp, Expr, ExprKind, Fault, Form, Intrinsic, LocalId, Place, Routine, Scalar, Step, Stmt,
     StmtKind, Type,
 };
 
-use super::call::lent;
+use super::borrowed::Lenders;
 use super::lowering::Lowering;
+use super::value::Named;
 use super::{Result, words};
+use crate::fuse;
 use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
@@ -31,6 +36,41 @@ impl Lowering<'_, '_> {
         Ok((done?, inner))
     }
 
+    /// Substitutes the statements before a value into it, if [`fuse`](crate::fuse) leaves none of them. Later code also uses
+    /// `named`.
+    pub(super) fn joined(
+        &self,
+        value: Expr,
+        stmts: Vec<Stmt>,
+        named: &[Named],
+    ) -> (Expr, Vec<Stmt>) {
+        if stmts.is_empty() || !read_later(&self.lenders, &stmts, named).is_empty() {
+            return (value, stmts);
+        }
+        match fuse::alone(&self.cx.module, &self.locals, &self.atoms, &stmts, &value) {
+            Some(value) => (value, Vec::new()),
+            None => (value, stmts),
+        }
+    }
+
+    /// Substitutes the statements since `mark` into a place that is read and then written, if none is left. A place that calls
+    /// is evaluated once.
+    pub(super) fn joined_place(&mut self, mark: usize, place: Place) -> Place {
+        let other = self.out[mark..].iter().rposition(|stmt| !fuse::may_go(stmt, &self.atoms));
+        let stmts = self.later(other.map_or(mark, |at| mark + at + 1));
+        match self.joined(place.load(), stmts.clone(), &[]) {
+            (Expr { kind: ExprKind::Load(joined), .. }, left)
+                if left.is_empty() && !effects::calls(&joined.load()) =>
+            {
+                joined
+            }
+            _ => {
+                self.out.extend(stmts);
+                place
+            }
+        }
+    }
+
     /// Lowers an operand with `lower`. Before its statements, `settle` holds the earlier values that they could
     /// change.
     pub(super) fn settling<T>(
@@ -46,53 +86,46 @@ impl Lowering<'_, '_> {
         Ok(done)
     }
 
-    /// Computes and checks the indices of `place` before the statements to come.
-    pub(super) fn settle_place(&mut self, place: &mut Place, later: &[Stmt]) {
-        if !later.is_empty() {
-            self.fix(place);
-        }
-    }
-
-    /// Computes the arguments so far, and checks their places, before the statements to come.
-    pub(super) fn settle_arguments(&mut self, passed: &mut [Argument], later: &[Stmt]) {
-        if later.is_empty() {
-            return;
-        }
-        for argument in passed {
-            match value_of(argument) {
-                // A slice is never a local. What it shows stays while it is borrowed; where it begins may not.
-                Ok(Expr { kind: ExprKind::Load(place), ty: Type::Slice(_), .. }) | Err(place) => {
-                    self.fix(place);
-                }
-                Ok(value) => self.atomize(words::ARGUMENT, value),
-            }
-        }
-    }
-
-    /// Holds the values so far, in order, before later statements.
-    pub(super) fn settle_all<'e>(
-        &mut self,
-        values: impl IntoIterator<Item = (&'e mut Expr, &'e str)>,
-        later: &[Stmt],
-    ) {
-        if !later.is_empty() {
-            values.into_iter().for_each(|(value, role)| self.atomize(role, value));
-        }
-    }
-
     /// Returns an atom for a value: a literal, a constant, or a local that is assigned once. If nothing would have
     /// changed the value, [`fuse`](crate::fuse) substitutes it again.
     pub(super) fn atom(&mut self, role: &str, value: Expr) -> Expr {
-        let known = match &value.kind {
-            ExprKind::Literal(_) | ExprKind::Const(_) => true,
-            ExprKind::Load(place) => place.steps.is_empty() && self.atoms.contains(&place.root),
-            _ => false,
-        };
-        // What is zero-sized is no value of the IR, and a slice is no local.
-        if known || matches!(value.ty, Type::Unit | Type::Slice(_)) {
-            return value;
+        self.atomic(role, value).unwrap_or_else(|value| self.atom_place(role, value).load())
+    }
+
+    /// Returns the value if its form is needed and its parts can be atoms; otherwise the value as an error.
+    pub(super) fn atomic(&mut self, role: &str, value: Expr) -> Result<Expr, Expr> {
+        // A zero-sized value is no value of the IR, and a slice is no local.
+        if self.is_atom(&value) || matches!(value.ty, Type::Unit | Type::Slice(_)) {
+            return Ok(value);
         }
-        self.atom_place(role, value).load()
+        match (value.kind, &value.ty) {
+            (ExprKind::Struct(parts), Type::Struct(id))
+                if matches!(self.cx.module.structs[id.index()].form, Form::Choice(_)) =>
+            {
+                let parts = parts.into_iter().map(|part| self.atom(role, part)).collect();
+                Ok(Expr { kind: ExprKind::Struct(parts), ..value })
+            }
+            // A product reads a factor untransposed.
+            (ExprKind::Routine(Routine::Transpose, of), _) => {
+                let of = of.into_iter().map(|of| self.atom(role, of)).collect();
+                Ok(Expr { kind: ExprKind::Routine(Routine::Transpose, of), ..value })
+            }
+            (kind, _) => Err(Expr { kind, ..value }),
+        }
+    }
+
+    fn is_atom(&self, value: &Expr) -> bool {
+        match &value.kind {
+            ExprKind::Literal(_) | ExprKind::Const(_) => true,
+            ExprKind::Load(place) => {
+                let once = self.atoms.contains(&place.root) || self.steady.contains(&place.root);
+                place.steps.is_empty() && once
+            }
+            ExprKind::Struct(parts) | ExprKind::Array(parts) => {
+                parts.iter().all(|part| self.is_atom(part))
+            }
+            _ => false,
+        }
     }
 
     /// Returns the place of a new local that holds a value and is assigned once.
@@ -112,36 +145,27 @@ impl Lowering<'_, '_> {
         self.held.remove(&local)
     }
 
-    /// Holds the indices of the places that a call borrows, if its result refers to one of them, and all earlier
-    /// arguments.
-    pub(super) fn settle_lent(&mut self, passed: &mut [Argument]) {
-        let places =
-            |argument: &Argument| lent(argument).is_some_and(|(it, _)| !it.steps.is_empty());
-        let count = passed.iter().rposition(places).map_or(0, |last| last + 1);
-        for argument in &mut passed[..count] {
-            match argument {
-                Argument::Ref(Expr { kind: ExprKind::Load(place), .. })
-                | Argument::RefMut(place) => self.keep_moving(place),
-                Argument::Value(value) | Argument::Ref(value) => {
-                    self.atomize(words::ARGUMENT, value);
-                }
-            }
-        }
-    }
-
-    /// Holds values that later appear in another order, in their present order.
-    pub(super) fn keep_order(&mut self, values: &mut [Expr]) {
-        values.iter_mut().for_each(|value| self.atomize(words::OPERAND, value));
-    }
-
     /// Makes a place independent of later writes: its indices are evaluated and checked now.
     pub(super) fn fix(&mut self, place: &mut Place) {
-        self.keep_moving(place);
+        indices_mut(place).for_each(|index| self.atomize(words::INDEX, index));
+        self.check_steps(place, 0);
+    }
+
+    /// Evaluates and checks the indices of the last step to a place.
+    pub(super) fn fix_last(&mut self, place: &mut Place) {
+        let Some(last) = place.steps.len().checked_sub(1) else { return };
+        let indices = place.steps[last].indices_mut();
+        indices.for_each(|index| self.atomize(words::INDEX, index));
+        self.check_steps(place, last);
+    }
+
+    /// Checks the indices of the steps to a place from step `first` on.
+    fn check_steps(&mut self, place: &Place, first: usize) {
         // What is referred to was looked at where that was chosen.
         if self.stands(place.root) {
             return;
         }
-        for (at, step) in place.steps.iter().enumerate() {
+        for (at, step) in place.steps.iter().enumerate().skip(first) {
             let lengths = match (step, self.type_of(place.root, &place.steps[..at])) {
                 (Step::Field(_), Type::Struct(_)) => Vec::new(),
                 (Step::Index(_), Type::Array { len, .. }) => vec![len],
@@ -158,25 +182,27 @@ impl Lowering<'_, '_> {
             }
         }
     }
+}
 
-    /// Holds the indices of `place`.
-    pub(super) fn keep_moving(&mut self, place: &mut Place) {
-        indices_mut(place).for_each(|index| self.atomize(words::INDEX, index));
-    }
-
-    /// Holds those indices of `place` for which `keep` is true.
-    pub(super) fn keep_indices(&mut self, place: &mut Place, keep: impl Fn(&Expr) -> bool) {
-        place.steps.iter_mut().for_each(|step| self.keep_indices_of(step, &keep));
-    }
-
-    /// Holds those indices of one step for which `keep` is true.
-    pub(super) fn keep_indices_of(&mut self, step: &mut Step, keep: impl Fn(&Expr) -> bool) {
-        for index in step.indices_mut() {
-            if keep(index) {
-                *index = self.temporary(words::INDEX, index.clone());
-            }
+/// Returns the locals that statements declare and that `named` or a lender mentions.
+pub(super) fn read_later(lenders: &Lenders, stmts: &[Stmt], named: &[Named]) -> HashSet<LocalId> {
+    let declared = stmts.iter().filter_map(|stmt| match stmt.kind {
+        StmtKind::Let { local, .. } => Some(local),
+        _ => None,
+    });
+    let declared: HashSet<LocalId> = declared.collect();
+    let found = RefCell::new(HashSet::new());
+    let note = |local: LocalId| {
+        if declared.contains(&local) {
+            found.borrow_mut().insert(local);
         }
+        false
+    };
+    if !declared.is_empty() {
+        named.iter().for_each(|named| _ = named.stands.any_local(&note));
+        lenders.mention(&note);
     }
+    found.into_inner()
 }
 
 /// Returns true if `later` neither changes `value` nor moves its faults.
@@ -240,14 +266,6 @@ pub(super) fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
 
 fn indices_mut(place: &mut Place) -> impl Iterator<Item = &mut Expr> {
     place.steps.iter_mut().flat_map(Step::indices_mut)
-}
-
-/// Returns the value of an argument, or the place of a mutable borrow.
-pub(super) fn value_of(argument: &mut Argument) -> Result<&mut Expr, &mut Place> {
-    match argument {
-        Argument::Value(value) | Argument::Ref(value) => Ok(value),
-        Argument::RefMut(place) => Err(place),
-    }
 }
 
 /// Returns true if a value may be read more than once: it is a literal, or a place with fields only.

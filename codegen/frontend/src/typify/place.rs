@@ -9,7 +9,6 @@ use super::syntax::bare;
 use super::value::{Value, step_to};
 use super::words;
 use super::{Needed, Result, problem, refusals, refused};
-use bessemer_ir::effects;
 
 /// Returns true if a field is the whole value: `coords` of a point, `vector` of a translation.
 fn is_whole(base: &Type, name: &str) -> bool {
@@ -101,8 +100,7 @@ impl Lowering<'_, '_> {
 
     /// Returns the place of a value: its own, or a temporary's. An index with a call is evaluated here, once.
     pub(super) fn hold(&mut self, value: Expr) -> Place {
-        if let ExprKind::Load(mut place) = value.kind {
-            self.keep_indices(&mut place, effects::calls);
+        if let ExprKind::Load(place) = value.kind {
             return place;
         }
         let known = self.cx.known(&value.ty);
@@ -166,21 +164,14 @@ impl Lowering<'_, '_> {
             }
             _ => return refused(Site(span.line, span.column), refusals::INDEXED),
         };
-        let step = self.settling(
-            |inner| {
-                let mut step = match &whole {
-                    Type::Matrix { .. } => inner.matrix_step(index, &whole, span)?,
-                    _ => Step::Index(inner.value(index, Some(&Type::USIZE))?),
-                };
-                // Whoever gets the place may read it more than once, which must write nothing.
-                if !effects::lent_by_step(&step).is_empty() {
-                    inner.keep_indices_of(&mut step, |index| !index.is_literal());
-                }
-                Ok(step)
-            },
-            |inner, _, later| inner.settle_place(&mut base, later),
-        )?;
-        Ok(Place { span, ..base.inside(step, ty) })
+        self.fix(&mut base);
+        let step = match &whole {
+            Type::Matrix { .. } => self.matrix_step(index, &whole, span)?,
+            _ => Step::Index(self.value(index, Some(&Type::USIZE))?),
+        };
+        let mut place = Place { span, ..base.inside(step, ty) };
+        self.fix_last(&mut place);
+        Ok(place)
     }
 
     pub(super) fn matrix_step(

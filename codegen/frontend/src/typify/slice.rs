@@ -347,7 +347,7 @@ impl Lowering<'_, '_> {
             true => equal(self)?,
             false => {
                 let as_long = compared(CompareOp::Eq, &one.length, &other.length, span);
-                self.and_then(as_long, equal)?
+                self.and_then(as_long, &mut Vec::new(), |inner, _| equal(inner))?
             }
         };
         Ok(Some(if op == Op::Ne { equal.negated() } else { equal }))

@@ -141,7 +141,7 @@ impl Lowering<'_, '_> {
             }
             // One that holds a reference is a value: another may come to stand there.
             (Value::Place(place), _) if self.is_lent(expr) && !self.is_loan(place) => {
-                self.settle_place(place, later);
+                later.first().inspect(|_| self.fix(place));
             }
             (Value::Place(place), _) => change(self, place),
             _ => {}

@@ -6,6 +6,8 @@ use bessemer_ir::{
     Argument, BinaryOp, CompareOp, Expr, ExprKind, LocalId, Mode, Place, Scalar, Span, Step, Type,
 };
 
+use bessemer_ir::visit::Walk;
+
 use super::lengths::{compared, is_number, minus, plus, size};
 
 /// Meaning of an expression or a name.
@@ -48,6 +50,30 @@ impl Named {
             Value::Place(place) => Some(place),
             Value::Slice(part) => Some(&part.base),
             _ => None,
+        }
+    }
+}
+
+impl Value {
+    /// Returns true if it contains a local for which `is` holds.
+    pub(super) fn any_local(&self, is: &dyn Fn(LocalId) -> bool) -> bool {
+        let value = |value: &Expr| value.any_place(|place, _| is(place.root));
+        let place = |place: &Place| value(&place.load());
+        let submatrix =
+            |part: &Submatrix| place(&part.matrix) || value(&part.row) || value(&part.column);
+        match self {
+            Value::Local(local) => is(*local),
+            Value::Place(it) => place(it),
+            Value::Word(word) => value(word),
+            Value::Slice(slice) => {
+                place(&slice.base)
+                    || [&slice.from, &slice.to, &slice.length].into_iter().any(value)
+                    || slice.within.as_deref().is_some_and(submatrix)
+            }
+            Value::Submatrix(part) => submatrix(part),
+            Value::Tuple(parts, _) => parts.iter().any(|part| part.any_local(is)),
+            Value::Maybe(there, it) => value(there) || it.any_local(is),
+            Value::Closure(_) | Value::Nothing => false,
         }
     }
 }

@@ -30,16 +30,16 @@ bessemer_status_t held_iterators_made_before(const double samples[4], uint64_t n
         {
             const uint64_t end = UINT64_C(4) / n + min_u64(UINT64_C(4) % n, UINT64_C(1));
             for (uint64_t i = UINT64_C(0); i < end; i++) {
-                const uint64_t value_end_product = i * n;
-                if (value_end_product > UINT64_MAX - n) {
-                    return BESSEMER_STATUS_OVERFLOW;
-                }
-                const uint32_t value_end = (uint32_t)min_u64(value_end_product + n, UINT64_C(4));
                 const uint64_t product = i * n;
-                if (product > value_end) {
+                if (product > UINT64_MAX - n) {
                     return BESSEMER_STATUS_OVERFLOW;
                 }
-                if (UINT64_C(0) >= value_end - product) {
+                const uint32_t smaller = (uint32_t)min_u64(product + n, UINT64_C(4));
+                const uint64_t product_2 = i * n;
+                if (product_2 > smaller) {
+                    return BESSEMER_STATUS_OVERFLOW;
+                }
+                if (UINT64_C(0) >= smaller - product_2) {
                     return BESSEMER_STATUS_INDEX;
                 }
                 const uint64_t samples_index_2 = i * n;

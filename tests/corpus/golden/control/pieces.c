@@ -168,16 +168,16 @@ bessemer_status_t pieces_numbered(uint8_t data[7], uint64_t size)
     {
         const uint64_t end = UINT64_C(7) / size + min_u64(UINT64_C(7) % size, UINT64_C(1));
         for (uint64_t number = UINT64_C(0); number < end; number++) {
-            const uint64_t value_end_product = number * size;
-            if (value_end_product > UINT64_MAX - size) {
-                return BESSEMER_STATUS_OVERFLOW;
-            }
-            const uint32_t value_end = (uint32_t)min_u64(value_end_product + size, UINT64_C(7));
             const uint64_t product = number * size;
-            if (product > value_end) {
+            if (product > UINT64_MAX - size) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            if (UINT64_C(0) >= value_end - product) {
+            const uint32_t smaller = (uint32_t)min_u64(product + size, UINT64_C(7));
+            const uint64_t product_2 = number * size;
+            if (product_2 > smaller) {
+                return BESSEMER_STATUS_OVERFLOW;
+            }
+            if (UINT64_C(0) >= smaller - product_2) {
                 return BESSEMER_STATUS_INDEX;
             }
             const uint64_t data_index = number * size;

@@ -10,7 +10,6 @@ bool in_order_is_usable(const breakpoints_t *table)
 
 bessemer_status_t in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3], bool result[3])
 {
-    bessemer_status_t status;
     list4_u8_t list = {.length = UINT64_C(0), .items = {0U, 0U, 0U, 0U}};
     for (uint8_t k = 0U; k < n % 4U; k++) {
         if (list.length >= UINT64_C(4)) {
@@ -20,13 +19,8 @@ bessemer_status_t in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3], bool
         list.length += UINT64_C(1);
     }
     const uint8_t elements[1] = {n};
-    bool result_is_sorted_pair_u8_f32;
-    status = sort_is_sorted_pair_u8_f32(pairs, UINT64_C(3), &result_is_sorted_pair_u8_f32);
-    if (status != BESSEMER_STATUS_OK) {
-        return status;
-    }
     result[0] = sort_is_sorted_u8(list.items, min_u64(list.length, UINT64_C(4)));
-    result[1] = result_is_sorted_pair_u8_f32;
+    result[1] = sort_is_sorted_pair_u8_f32(pairs, UINT64_C(3));
     result[2] = sort_is_sorted_u8(elements, UINT64_C(1));
     return BESSEMER_STATUS_OK;
 }

@@ -45,11 +45,10 @@ bessemer_status_t list_edits_served(list6_u8_t *jobs, uint8_t limit, uint8_t *fi
             }
             const bool keeps = jobs->items[at] <= limit;
             if (keeps) {
-                const uint8_t jobs_operand = jobs->items[at];
                 if (jobs->length > UINT64_C(6) || kept >= jobs->length) {
                     return BESSEMER_STATUS_INDEX;
                 }
-                jobs->items[kept] = jobs_operand;
+                jobs->items[kept] = jobs->items[at];
                 kept += 1U;
             }
         }
@@ -66,22 +65,20 @@ bessemer_status_t list_edits_message(uint16_t sequence, uint32_t value, list6_u8
     list6_u8_t bytes_value_2 = {.length = UINT64_C(0), .items = {0U, 0U, 0U, 0U, 0U, 0U}};
     const uint8_t elements[2] = {(uint8_t)(sequence >> 8U), (uint8_t)sequence};
     for (uint32_t i = 0U; i < 2U; i++) {
-        const uint8_t value_element = elements[i];
         if (bytes_value_2.length >= UINT64_C(6)) {
             return BESSEMER_STATUS_CAPACITY;
         }
-        bytes_value_2.items[bytes_value_2.length] = value_element;
+        bytes_value_2.items[bytes_value_2.length] = elements[i];
         bytes_value_2.length += UINT64_C(1);
     }
     const uint8_t elements_2[4] = {
         (uint8_t)(value >> 24U), (uint8_t)(value >> 16U), (uint8_t)(value >> 8U), (uint8_t)value
     };
     for (uint32_t i = 4U; i-- > 0U;) {
-        const uint8_t value_element = elements_2[i];
         if (bytes_value_2.length >= UINT64_C(6)) {
             return BESSEMER_STATUS_CAPACITY;
         }
-        bytes_value_2.items[bytes_value_2.length] = value_element;
+        bytes_value_2.items[bytes_value_2.length] = elements_2[i];
         bytes_value_2.length += UINT64_C(1);
     }
     *bytes = bytes_value_2;

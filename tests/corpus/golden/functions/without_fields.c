@@ -81,8 +81,7 @@ static double without_fields_areas_rectangle(const double samples[4])
 {
     double sum = -0.0;
     for (uint32_t i = 0U; i < 3U; i++) {
-        const double result_argument = samples[i];
-        sum += without_fields_rectangle_area(result_argument, samples[i + 1U], 0.5);
+        sum += without_fields_rectangle_area(samples[i], samples[i + 1U], 0.5);
     }
     return sum;
 }
@@ -91,8 +90,7 @@ static double without_fields_areas_trapezoid(const double samples[4])
 {
     double sum = -0.0;
     for (uint32_t i = 0U; i < 3U; i++) {
-        const double result_argument = samples[i];
-        sum += without_fields_trapezoid_area(result_argument, samples[i + 1U], 0.5);
+        sum += without_fields_trapezoid_area(samples[i], samples[i + 1U], 0.5);
     }
     return sum;
 }

@@ -113,8 +113,7 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         if (i == 2U) {
             continue;
         }
-        const double part_operand = by[i];
-        m[i + 4U * (uint32_t)column] -= part_operand;
+        m[i + 4U * (uint32_t)column] -= by[i];
     }
     const double result_a[4] = {
         m[4U * column], m[1U + 4U * column], m[2U + 4U * column], m[3U + 4U * column]
@@ -219,8 +218,7 @@ bessemer_status_t filter_grow(filter_t *self, uint64_t from, double limit, uint3
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t i = 0U; i < 2U; i++) {
-        const double block_operand = self->noise[i];
-        self->covariance[from + i + 4U * (from + i)] += block_operand;
+        self->covariance[from + i + 4U * (from + i)] += self->noise[i];
         if (self->covariance[from + i + 4U * (from + i)] > limit) {
             count_value += 1U;
         }

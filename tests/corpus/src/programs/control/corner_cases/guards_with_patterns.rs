@@ -110,3 +110,13 @@ pub fn in_a_loop(values: [i32; 4]) -> i32 {
 fn half_of(value: i32) -> Option<i32> {
     half(value)
 }
+
+/// Guards that look at an element by a computed index.
+#[function]
+pub fn indexed(at: Option<usize>, table: [Option<i32>; 4]) -> i32 {
+    match at {
+        Some(at) if let Some(found) = table[at % 3 + 1] => found,
+        Some(at) if let Some(found) = table[at] && found > 5 => found.wrapping_neg(),
+        _ => 5,
+    }
+}
