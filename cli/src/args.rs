@@ -63,6 +63,8 @@ pub enum Task {
     Sizes(Sizes),
     /// List the checks for faults that are left in each entry point, and why
     Explain(Explain),
+    /// Show the Rust of a line of the C, or the C of a line of Rust
+    Where(Where),
     /// Make a module of Python of the C, whose arrays are NumPy's
     Py(Python),
     /// Make a folder of the C for a system that firmware is built in: Zephyr, PX4, ROS 2, FreeRTOS …
@@ -244,6 +246,24 @@ pub struct Explain {
     pub entry: Option<String>,
 }
 
+/// Arguments of `where`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo bessemer where generated/motor.c:40   The Rust that this line comes from, and names that only the C has
+  cargo bessemer where src/lib.rs:31          Each line of C that comes from this one
+
+It reads the folder of the C with the .map file beside each file, as `gen` wrote them, and builds nothing. A path may be
+any end of it, such as motor.c:40. A line of a longer statement means the whole statement.")]
+pub struct Where {
+    /// Selection of the package
+    #[command(flatten)]
+    pub package: Package,
+    /// The file and the line, as compilers print them: `generated/motor.c:40`
+    #[arg(value_name = "FILE:LINE")]
+    pub line: String,
+}
+
 /// Arguments of `py`.
 #[derive(Args, Debug)]
 #[command(after_help = "\
@@ -393,6 +413,7 @@ mod tests {
         assert!(
             matches!(parse(&["explain", "motor_step"]), Ok(Task::Explain(it)) if it.entry.is_some())
         );
+        assert!(matches!(parse(&["where", "a.c:7"]), Ok(Task::Where(it)) if it.line == "a.c:7"));
         assert!(matches!(parse(&["verify", "--seed", "7"]), Ok(Task::Verify(it)) if it.seed == 7));
         let arm = parse(&["verify", "--target", "cortex-a9"]);
         assert!(matches!(arm, Ok(Task::Verify(it)) if it.target == [Target::CortexA9]));

@@ -11,6 +11,9 @@ pub enum Error {
     /// An error of the user's workspace.
     #[error(transparent)]
     Project(#[from] bessemer_project::Error),
+    /// A line has no counterpart.
+    #[error(transparent)]
+    Trace(#[from] bessemer_dossier::trace::Error),
     /// The name of a new package means something already, or nothing.
     #[error("a package cannot be called `{name}`: {why}")]
     Name {
@@ -155,6 +158,7 @@ impl Error {
     pub fn remedy(&self) -> Option<String> {
         Some(match self {
             Error::Project(error) => return error.remedy(),
+            Error::Trace(error) => return error.remedy(),
             Error::Name { .. } => "choose another, such as `motor` or `height_loop`".to_owned(),
             Error::Exists { .. } => "choose another name, or remove that folder".to_owned(),
             Error::NoCheckout { .. } => "pass the folder of your clone".to_owned(),

@@ -5,6 +5,7 @@
 //! `tests/refused/`, `tests/diagnosed/` and `tests/newcomers/`; a full disk, a kill and two runs at once are in `interrupted.rs`.
 
 mod settings;
+mod traces;
 mod workspaces;
 
 use std::collections::BTreeMap;
@@ -119,7 +120,7 @@ fn accepted(files: &[File], case: &Case<'_>) -> Option<String> {
 #[test]
 fn each_mistake_is_told_with_what_to_do_and_changes_nothing() {
     assert!(CASES.len() + SETTINGS.len() + NAMES.len() >= 100);
-    let cases = CASES.iter().map(|case| accepted(case.files, case));
+    let cases = CASES.iter().chain(traces::CASES).map(|case| accepted(case.files, case));
     let settings = SETTINGS.iter().map(|(text, line, column, said, remedy)| {
         let files = [PACKAGE, &[("bessemer.toml", text)]].concat();
         let place = format!(" --> bessemer.toml:{line}:{column}\n");

@@ -1,5 +1,8 @@
 //! Prints the C tree, and records the source line of each statement for the map.
 //!
+//! Invariant: in a function that has a source line, each statement has one; that of the statement before it if it has
+//! none of its own.
+//!
 //! Decides indentation, line breaks, braces, and the form of comments. Must not know: the IR.
 
 use super::file::MapLine;
@@ -18,6 +21,8 @@ pub struct Printer<'a> {
     line: u32,
     map: Vec<MapLine>,
     function: String,
+    /// Position of the last statement that has one, which the following statements without one belong to.
+    nearest: Option<Origin>,
     level: usize,
 }
 
@@ -30,6 +35,7 @@ impl<'a> Printer<'a> {
             line: first_line,
             map: Vec::new(),
             function: String::new(),
+            nearest: None,
             level: 0,
         }
     }
@@ -65,9 +71,9 @@ impl<'a> Printer<'a> {
     }
 
     fn mark(&mut self, origin: Option<Origin>) {
-        if let Some(origin) = origin
-            && origin.line > 0
-        {
+        let own = origin.filter(|origin| origin.line > 0);
+        self.nearest = own.or(self.nearest);
+        if let Some(origin) = self.nearest {
             self.map.push(MapLine {
                 c_line: self.line,
                 rust_file: self.files.get(origin.file as usize).cloned().unwrap_or_default(),
@@ -103,6 +109,7 @@ impl<'a> Printer<'a> {
             self.end_line();
         }
         self.function.clear();
+        self.nearest = None;
         match item {
             Item::Struct { shared, docs, name, fields, origin } => {
                 self.docs(docs);
@@ -122,9 +129,11 @@ impl<'a> Printer<'a> {
                 self.level -= 1;
                 self.put(&format!("}} {name};"));
             }
-            Item::Constant { storage, docs, asked, declarator, init } => {
+            Item::Constant { storage, docs, asked, declarator, init, origin, path } => {
                 self.docs(docs);
                 asked.iter().for_each(|asked| self.put(asked));
+                self.function.clone_from(path);
+                self.mark(Some(*origin));
                 let storage = match (storage, init) {
                     (Storage::Extern, None) => "extern ",
                     (Storage::Extern, Some(_)) => "",
@@ -132,8 +141,10 @@ impl<'a> Printer<'a> {
                 };
                 self.declare(storage, declarator, init.as_ref());
             }
-            Item::Define { docs, name, value } => {
+            Item::Define { docs, name, value, origin, path } => {
                 self.docs(docs);
+                self.function.clone_from(path);
+                self.mark(Some(*origin));
                 self.put(&format!("#define {name} {}", flat(value)));
             }
             Item::Prototype { docs, head, origin, function } => {
@@ -368,6 +379,7 @@ impl<'a> Printer<'a> {
         );
         if !leaves {
             self.level += 1;
+            self.mark(None);
             self.put("break;");
             self.level -= 1;
         }

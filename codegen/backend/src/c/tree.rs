@@ -425,6 +425,10 @@ pub enum Item {
         declarator: Declarator,
         /// Value; none if another file defines it.
         init: Option<Init>,
+        /// Source position.
+        origin: Origin,
+        /// Rust path.
+        path: String,
     },
     /// `#define name value`.
     Define {
@@ -434,6 +438,10 @@ pub enum Item {
         name: String,
         /// Value, a literal.
         value: Expr,
+        /// Source position.
+        origin: Origin,
+        /// Rust path.
+        path: String,
     },
     /// A function's declaration.
     Prototype {

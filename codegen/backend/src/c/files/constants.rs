@@ -8,8 +8,8 @@ use std::collections::BTreeSet;
 
 use bessemer_ir::{Const, ConstId, Type};
 
-use super::Writer;
 use super::includes::Includes;
+use super::{Writer, origin};
 use crate::c::assemble::assemble;
 use crate::c::context::Context;
 use crate::c::file::CFile;
@@ -60,7 +60,7 @@ pub(super) fn shared(
         }
         let mut table = constant(context, options, id, name, &mut of_source);
         of_header.ty(context, &item.ty);
-        if let Item::Constant { storage, docs, declarator, .. } = &mut table {
+        if let Item::Constant { storage, docs, declarator, origin, path, .. } = &mut table {
             *storage = Storage::Extern;
             declared.push(Item::Constant {
                 storage: Storage::Extern,
@@ -68,6 +68,8 @@ pub(super) fn shared(
                 asked: None,
                 declarator: declarator.clone(),
                 init: None,
+                origin: *origin,
+                path: path.clone(),
             });
         }
         defined.push(table);
@@ -131,6 +133,8 @@ fn size(context: Context<'_>, id: ConstId, name: &str) -> Item {
         docs: described::constant(context.names, item),
         name: name.to_owned(),
         value: literal::word(context.names, &item.ty, item.words[0]),
+        origin: origin(item.span),
+        path: item.path(),
     }
 }
 
@@ -169,6 +173,8 @@ fn constant(
         asked: section.map(|section| asked::section(section, options)),
         declarator,
         init: Some(init),
+        origin: origin(item.span),
+        path: item.path(),
     }
 }
 

@@ -1,8 +1,9 @@
 //! Places kernels in files: in a source, or in the header if they are small.
 
-use bessemer_ir::{FunctionId, Kernel, Span};
+use bessemer_ir::visit::Walk;
+use bessemer_ir::{ExprKind, FunctionId, Kernel, Span};
 
-use super::{Callable, Includes, Writer, origin};
+use super::{Callable, Includes, Writer, origin, rust_path};
 use crate::c::context::Uses;
 use crate::c::helpers::Helper;
 use crate::c::shell::NO_CONTRACTION;
@@ -59,9 +60,22 @@ impl Writer<'_> {
             docs: Vec::new(),
             head: self.context.names.head(self.context.names.signature(id)),
             body,
-            origin: origin(Span::default()),
-            function: String::new(),
+            origin: origin(self.first_call(id)),
+            function: rust_path(self.context, &self.context.module.functions[id.index()]),
         };
         before.into_iter().chain([function]).collect()
+    }
+    /// Returns the first call of a kernel, which stands for its lines of Rust.
+    fn first_call(&self, id: FunctionId) -> Span {
+        let mut first = Span::default();
+        for function in &self.context.module.functions {
+            function.body.each_expr(|expr| {
+                if matches!(expr.kind, ExprKind::Call(callee, _) if callee == id) && first.line == 0
+                {
+                    first = expr.span;
+                }
+            });
+        }
+        first
     }
 }
