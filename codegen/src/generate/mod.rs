@@ -26,7 +26,7 @@ pub use job::Job;
 pub use manifest::Manifest;
 pub use package::{Tree, settings};
 pub use program::Program;
-pub use report::{explanation, table};
+pub use report::{Left, explanation, left, table};
 pub use workspace::{Member, Workspace};
 
 /// Result of a generation.

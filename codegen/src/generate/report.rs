@@ -113,17 +113,11 @@ pub fn explanation(compiled: &Compiled) -> String {
         };
         let component = &compiled.module.structs[owner.index()].name;
         let mut lines = String::new();
-        let mut count = 0;
-        for reached in passes::reached(&compiled.module, index) {
-            for check in compiled.checks.functions.get(reached).into_iter().flatten() {
-                count += 1;
-                // Of a fault in the DSL's own code, the author's call.
-                let span = compile::authors(&compiled.module, index, check.span);
-                let (at, fault) = (place(compiled, span), word(check.fault));
-                let _ = writeln!(lines, "  {at}: {fault}: {}", check.reason);
-            }
+        let left = left(compiled, index);
+        for Left { place, fault, reason } in &left {
+            let _ = writeln!(lines, "  {place}: {fault}: {reason}");
         }
-        let left = match count {
+        let left = match left.len() {
             0 => "no check is left".to_owned(),
             1 => "1 check is left".to_owned(),
             more => format!("{more} checks are left"),
@@ -133,6 +127,30 @@ pub fn explanation(compiled: &Compiled) -> String {
         let _ = writeln!(text, "{component}::{}: {left}\n{}", function.name, lines);
     }
     text
+}
+
+/// A check that is left in an entry point or its callees.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Left {
+    /// Place of the operation, or of the author's call that leads there: `models/src/height.rs:12:9`.
+    pub place: String,
+    /// Name of the fault.
+    pub fault: &'static str,
+    /// Text that says why it could not be ruled out.
+    pub reason: String,
+}
+
+/// Returns the checks that are left in an entry point, by its index, and in its callees.
+pub fn left(compiled: &Compiled, entry: usize) -> Vec<Left> {
+    let reached = passes::reached(&compiled.module, entry);
+    let checks = reached.iter().flat_map(|at| compiled.checks.functions.get(*at));
+    let left = |check: &passes::Remaining| {
+        // Of a fault in the DSL's own code, the author's call.
+        let span = compile::authors(&compiled.module, entry, check.span);
+        let reason = check.reason.clone();
+        Left { place: place(compiled, span), fault: word(check.fault), reason }
+    };
+    checks.flatten().map(left).collect()
 }
 
 /// Returns the author's lines with operations in double and in 64 bits, by file.

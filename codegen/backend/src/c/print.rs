@@ -225,10 +225,11 @@ impl<'a> Printer<'a> {
     fn block(&mut self, block: &[Stmt]) {
         self.level += 1;
         for (index, stmt) in block.iter().enumerate() {
-            if index > 0 && matches!(stmt.kind, StmtKind::Comment(_)) {
-                self.end_line();
+            match stmt.kind {
+                StmtKind::Comment(_) if index == 0 => {}
+                StmtKind::Comment(_) => self.end_line(),
+                _ => self.mark(stmt.origin),
             }
-            self.mark(stmt.origin);
             self.stmt(&stmt.kind);
         }
         self.level -= 1;
