@@ -3,7 +3,7 @@
 //! It reads the C that the tool emits: braces around each body, one statement after the other. Of other C it finds at
 //! least the functions; what it cannot read becomes one statement.
 //!
-//! Must not know: where the C comes from, or what is done with the places.
+//! Must not know: where the C comes from, or who uses the places.
 
 mod decisions;
 mod statements;
@@ -61,7 +61,7 @@ pub struct Decision {
     pub range: (usize, usize),
     /// Line of the expression.
     pub line: u32,
-    /// True if it decides what is executed next.
+    /// True if it decides on the next statement.
     pub controls: bool,
     /// Conditions, in the order of evaluation.
     pub conditions: Vec<Condition>,

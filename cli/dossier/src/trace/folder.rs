@@ -238,9 +238,9 @@ impl File {
         let row = self.rows.iter().rev().find(|row| row.c_line <= line)?;
         let between = self.text.lines().skip(row.c_line as usize - 1);
         let between = between.take((line - row.c_line + 1) as usize);
-        let apart = between.clone().any(|it| it.trim().is_empty())
+        let separate = between.clone().any(|it| it.trim().is_empty())
             || self.functions.iter().any(|it| it.line >= row.c_line && it.last_line < line);
-        (!apart).then_some((first, last, row))
+        (!separate).then_some((first, last, row))
     }
 
     /// Returns the first line of a function's head: its name may be on a later line.

@@ -2,7 +2,7 @@
 //!
 //! It reads the folder of the C with the map beside each file, and builds nothing.
 //!
-//! Invariant: each statement of a file with a map has a counterpart: its own, or that of the statement before it in the
+//! Invariant: each statement of a file with a map has a counterpart: its own, or the one before it in the
 //! function. Must not know: how the maps are made.
 
 mod error;

@@ -88,7 +88,7 @@ fn lines_are_read_as_compilers_print_them() {
 }
 
 #[test]
-fn what_is_wrong_is_named() {
+fn mistakes_are_named() {
     let of = |line: &str| {
         let line = Line::of(line).expect("a line");
         let error = described(&models(), &Workspace(&root()), &line).expect_err("it is wrong");
