@@ -379,6 +379,9 @@ impl Lowering<'_, '_> {
         if !operand.ty.is_word() || !matches!(ty, Type::Scalar(_)) {
             return refused(expr.site, refusals::CAST);
         }
+        if let Some(literal) = literal::converted(&operand, &ty) {
+            return Ok(literal);
+        }
         self.node(ExprKind::Cast(Box::new(operand)), ty, expr.site)
     }
 

@@ -30,6 +30,22 @@ pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) 
     }
 }
 
+/// Returns an integer literal as a literal of another type that has its value. `N as u32` is one, where `N` is a const
+/// generic of the instance.
+pub(super) fn converted(value: &Expr, ty: &Type) -> Option<Expr> {
+    let (ExprKind::Literal(word), Some(from)) = (&value.kind, value.ty.as_int()) else {
+        return None;
+    };
+    let number = from.from_word(*word);
+    let word = match (ty.as_int(), ty.as_float()) {
+        (Some(to), _) if (to.min()..=to.max()).contains(&number) => *word,
+        (_, Some(Float::F32)) => u64::from((number as f32).to_bits()),
+        (_, Some(Float::F64)) => (number as f64).to_bits(),
+        _ => return None,
+    };
+    Some(Expr::literal(word, ty.clone(), value.span))
+}
+
 /// Returns the result of an operation on two integer literals, unless it overflows or faults.
 pub(super) fn folded(op: BinaryOp, left: &Expr, right: &Expr) -> Option<u64> {
     let (ExprKind::Literal(a), ExprKind::Literal(b)) = (&left.kind, &right.kind) else {

@@ -16,7 +16,7 @@ use super::expr::{Call, Operand};
 use super::lowering::Lowering;
 use super::order::is_light;
 use super::words;
-use super::{Needed, OUR_FAULT, Result, problem, struct_of};
+use super::{Needed, OUR_FAULT, Result, literal, problem, struct_of};
 
 /// Returns the value of a method for `x`, the argument `by` and the type `ty`; none for types without this method.
 fn spelt_out(
@@ -291,13 +291,11 @@ impl Lowering<'_, '_> {
 
     /// Converts a number to a float type; a literal becomes one of that type.
     pub(super) fn as_float(&mut self, value: Expr, ty: Type, site: Site) -> Result<Expr> {
-        let value = whole(value);
+        if let Some(literal) = literal::converted(&value, &ty) {
+            return Ok(literal);
+        }
         let kind = match value.kind {
             _ if value.ty == ty => return Ok(value),
-            ExprKind::Literal(word) if value.ty.as_int().is_some() => {
-                let number = value.ty.as_int().map_or(0, |int| int.from_word(word));
-                return Ok(float(number as f64, number as f32, &ty, value.span));
-            }
             ExprKind::Literal(word) if ty == Type::F32 => ExprKind::Literal(single(word)),
             // `real(GAIN)` in single precision is a constant of its own.
             ExprKind::Const(id) if ty == Type::F32 && value.ty == Type::F64 => {
@@ -317,18 +315,6 @@ impl Lowering<'_, '_> {
         };
         self.node(kind, ty, site)
     }
-}
-
-/// Folds `N as f64`, where `N` is a const generic of the instance, into a literal.
-fn whole(value: Expr) -> Expr {
-    if let ExprKind::Cast(operand) = &value.kind
-        && let (ExprKind::Literal(word), Some(int)) = (&operand.kind, operand.ty.as_int())
-        && value.ty == Type::F64
-    {
-        let word = (int.from_word(*word) as f64).to_bits();
-        return Expr { kind: ExprKind::Literal(word), ..value };
-    }
-    value
 }
 
 /// Converts the bits of an `f64` to those of the nearest `f32`.

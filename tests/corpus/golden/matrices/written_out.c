@@ -67,5 +67,5 @@ void written_out_others(const double v[3], double noise, double result[9])
 
 double written_out_mean(const double a[6])
 {
-    return matrix_statistics_sum_f64_2_3(a) / (double)UINT64_C(6);
+    return matrix_statistics_sum_f64_2_3(a) / 6.0;
 }
