@@ -163,6 +163,17 @@ static inline bool sort_below_f64(double one, double other)
     return one < other || (isnan(one) == 0 && isnan(other) != 0);
 }
 
+/**
+ * A number within 4 % of the cube root, computed from the number's upper bits.
+ *
+ * The exponent and the significand are taken as one number and divided by three. `bias` is two thirds of the
+ * exponent's bias, in the same place, and balances the error.
+ */
+static inline double roots_coarse_root(uint32_t upper, uint32_t bias)
+{
+    return f64_from_bits(u64_from_u32(upper / 3U + bias) << 32);
+}
+
 /** Whether the two are equal, part by part. */
 static inline bool duty_hold_equal(const duty_hold_t *one, const duty_hold_t *other)
 {

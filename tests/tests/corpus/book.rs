@@ -4,7 +4,8 @@
 //! Between `<!-- example: chapter/name -->` and `<!-- end -->` stand the program's own words, its Rust, at most
 //! [`LINES`] lines of its C and a link to all of it; ` of NAME` behind the name chooses the function or type whose C is
 //! shown. After `<!-- contents -->` stands the list of a page's examples, after `<!-- mistakes -->` the table of newcomers'
-//! mistakes. `UPDATE_DOCS=1 cargo test -p bessemer-tests
+//! mistakes, after `<!-- blocks: pid of pid_f32_step -->` the documentation of a module of blocks
+//! and some of its C. `UPDATE_DOCS=1 cargo test -p bessemer-tests
 //! book::` writes pages and golden files anew. Every program of a chapter of the language is on one page, so that
 //! nothing is taken that the book does not show.
 
@@ -13,7 +14,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::mistakes;
+use super::{blocks, mistakes};
 use bessemer_codegen::compile::Compiled;
 use bessemer_tests::{corpus, golden, root};
 
@@ -68,9 +69,14 @@ fn marked(line: &str) -> Option<(&str, Option<&str>)> {
 
 /// The C of a program: of each of its files what is there, without the frame that every file has.
 fn whole(compiled: &Compiled, name: &str) -> String {
-    let module = format!("from corpus::programs::{};", name.replace('/', "::"));
-    let mut text =
-        format!("/* The C of tests/corpus/src/programs/{name}.rs. Written by a test. */\n");
+    let module = format!("corpus::programs::{}", name.replace('/', "::"));
+    c_of(compiled, &module, &format!("{PROGRAMS}/{name}.rs"))
+}
+
+/// The C of a module, whose source is at a path.
+fn c_of(compiled: &Compiled, module: &str, path: &str) -> String {
+    let module = format!("from {module};");
+    let mut text = format!("/* The C of {path}. Written by a test. */\n");
     for file in compiled.files.iter().filter(|file| file.text.contains(&module)) {
         let inside = match file.name.ends_with(".h") {
             true => declared(&file.text),
@@ -181,9 +187,10 @@ fn example(golden: &str, name: &str, chosen: Option<&str>, depth: usize) -> Stri
     let (prose, rust): (Vec<&str>, Vec<&str>) =
         source.lines().partition(|line| line.starts_with("//!"));
     // A recipe has a page, and so a heading, of its own.
-    let mut text = match name.starts_with("cookbook/") {
-        true => "\n".to_owned(),
-        false => format!("\n## {}\n\n", title(name)),
+    let mut text = match name {
+        _ if name.starts_with("cookbook/") => "\n".to_owned(),
+        _ if name.starts_with("blocks/") => "\n## Example\n\n".to_owned(),
+        _ => format!("\n## {}\n\n", title(name)),
     };
     for line in prose {
         let _ = writeln!(text, "{}", line.trim_start_matches("//!").trim_start());
@@ -219,6 +226,15 @@ fn current(golden: &BTreeMap<String, String>, page: &str, depth: usize) -> Strin
         } else if line == "<!-- contents -->" {
             text.push_str(&contents(page));
             inside = true;
+        } else if let Some((module, chosen)) = blocks::marked(line) {
+            text.push_str(&blocks::documentation(module));
+            let (name, up) = (blocks::golden(module), "../".repeat(depth));
+            let shown = excerpt(&golden[&name], Some(chosen));
+            let _ = write!(
+                text,
+                "## C\n\n```c\n{shown}\n```\n\n[All of its C]({up}{GOLDEN}/{name}.c)\n\n"
+            );
+            inside = true;
         } else if line == "<!-- mistakes -->" {
             text.push_str(&mistakes::table(&"../".repeat(depth)));
             inside = true;
@@ -230,8 +246,14 @@ fn current(golden: &BTreeMap<String, String>, page: &str, depth: usize) -> Strin
 #[test]
 fn pages_and_golden_files_are_as_the_programs_are() {
     let compiled = corpus();
-    let all: BTreeMap<String, String> =
+    let mut all: BTreeMap<String, String> =
         programs().into_iter().map(|name| (name.clone(), whole(compiled, &name))).collect();
+    // The instances of the blocks that the programs call.
+    all.extend(blocks::modules().into_iter().map(|module| {
+        let path = format!("{}/{module}.rs", blocks::SOURCES);
+        let c = c_of(compiled, &format!("bessemer_blocks::{module}"), &path);
+        (blocks::golden(&module), c)
+    }));
     let file = |name: &String| Path::new(GOLDEN).join(format!("{name}.c"));
     let mut wanted: BTreeMap<PathBuf, String> =
         all.iter().map(|(name, c)| (file(name), c.clone())).collect();

@@ -5,6 +5,7 @@
 //! the changed arguments out. Half of the calls have words drawn from the edges of each type; the other
 //! half are a run, as a component lives: small numbers, and the state that the call before left.
 
+mod blocks;
 mod book;
 mod cookbook;
 mod coverage;

@@ -259,26 +259,26 @@ mod tests {
     }
 
     #[test]
-    fn a_search_finds_each_algorithm_on_its_page_first() {
+    fn a_search_finds_each_word_on_its_page_first() {
         let folder = tempfile::tempdir().expect("a folder");
         let root = crate::project::root();
         copy(&root, folder.path()).expect("the pages are there");
         let sections = sections(folder.path());
         for (query, page) in [
-            ("CRC", "crc32"),
-            ("CAN signals", "bit_codes"),
-            ("FFT", "goertzel"),
-            ("MPC", "active_set"),
-            ("hysteresis", "debouncer"),
-            ("notch", "notch"),
-            ("moving average", "fir"),
-            ("timeout", "state_machine"),
-            ("ring buffer", "ring_buffer"),
-            ("transfer function", "biquad"),
-            ("2-D table", "lookup"),
-            ("EKF", "attitude_filter"),
+            ("CRC", "blocks/bytes"),
+            ("CAN signals", "blocks/bytes"),
+            ("FFT", "blocks/spectrum"),
+            ("MPC", "algorithms/active_set"),
+            ("hysteresis", "blocks/limits"),
+            ("notch", "blocks/filters"),
+            ("moving average", "blocks/windows"),
+            ("timeout", "blocks/logic"),
+            ("ring buffer", "blocks/bytes"),
+            ("transfer function", "blocks/filters"),
+            ("2-D table", "blocks/tables"),
+            ("EKF", "algorithms/attitude_filter"),
         ] {
-            assert_eq!(found(&sections, query), format!("algorithms/{page}.md"), "{query}");
+            assert_eq!(found(&sections, query), format!("{page}.md"), "{query}");
         }
         let programs = std::fs::read_dir(root.join(algorithms::PROGRAMS)).expect("programs");
         let programs = programs.flatten().map(|it| it.path().with_extension(""));

@@ -2,7 +2,7 @@
 
 /* reference_patterns.c */
 
-double valve_advance(valve_t *self)
+double reference_patterns_valve_advance(reference_patterns_valve_t *self)
 {
     switch (self->order.tag) {
     case REFERENCE_PATTERNS_ORDER_TAG_HOLD:
@@ -25,9 +25,9 @@ double valve_advance(valve_t *self)
     return self->open;
 }
 
-double reference_patterns_advanced(valve_t *valve)
+double reference_patterns_advanced(reference_patterns_valve_t *valve)
 {
-    const double open = valve_advance(valve);
+    const double open = reference_patterns_valve_advance(valve);
     if (valve->last.is_some) {
         valve->last.value = (uint16_t)((uint32_t)valve->last.value + 3U);
     }
@@ -73,4 +73,4 @@ typedef struct {
     reference_patterns_order_t order;
     option_u16_t last;
     double open;
-} valve_t;
+} reference_patterns_valve_t;

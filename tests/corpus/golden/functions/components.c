@@ -4,17 +4,17 @@
 
 static const uint8_t CONTACT_STABLE = 3U;
 
-static void contact_count(contact_t *self, bool level);
+static void components_contact_count(components_contact_t *self, bool level);
 
-void contact_init(contact_t *self)
+void components_contact_init(components_contact_t *self)
 {
     self->closed = false;
     self->agreeing = 0U;
 }
 
-bool contact_sample(contact_t *self, bool level)
+bool components_contact_sample(components_contact_t *self, bool level)
 {
-    contact_count(self, level);
+    components_contact_count(self, level);
     if (self->agreeing >= CONTACT_STABLE) {
         self->closed = level;
         self->agreeing = 0U;
@@ -22,13 +22,13 @@ bool contact_sample(contact_t *self, bool level)
     return self->closed;
 }
 
-void contact_reset(contact_t *self, bool closed)
+void components_contact_reset(components_contact_t *self, bool closed)
 {
     self->closed = closed;
     self->agreeing = 0U;
 }
 
-static void contact_count(contact_t *self, bool level)
+static void components_contact_count(components_contact_t *self, bool level)
 {
     if (level == self->closed) {
         self->agreeing = 0U;
@@ -43,4 +43,4 @@ static void contact_count(contact_t *self, bool level)
 typedef struct {
     bool closed;
     uint8_t agreeing;
-} contact_t;
+} components_contact_t;

@@ -44,7 +44,7 @@ without_fields_trouble_t without_fields_trouble_from_saturated(void)
     return WITHOUT_FIELDS_TROUBLE_HIGH;
 }
 
-void without_fields_commanded(double torque, result_f64_saturated_t *result)
+void without_fields_commanded(double torque, result_f64_without_fields_saturated_t *result)
 {
     if (torque > 2.0) {
         result->is_ok = false;
@@ -57,7 +57,7 @@ void without_fields_commanded(double torque, result_f64_saturated_t *result)
 
 void without_fields_limited(double torque, result_f64_without_fields_trouble_t *result)
 {
-    result_f64_saturated_t torque_outcome;
+    result_f64_without_fields_saturated_t torque_outcome;
     without_fields_commanded(torque, &torque_outcome);
     if (!torque_outcome.is_ok) {
         result->is_ok = false;

@@ -1,8 +1,8 @@
 /* The C of tests/corpus/src/programs/numbers/bytes.rs. Written by a test. */
 
-/* bytes.c */
+/* programs_numbers_bytes.c */
 
-void bytes_head(uint16_t sequence, float value, uint8_t result[6])
+void programs_numbers_bytes_head(uint16_t sequence, float value, uint8_t result[6])
 {
     const uint8_t elements[2] = {(uint8_t)(sequence >> 8U), (uint8_t)sequence};
     const uint32_t value_value = bits_of_f32(value);
@@ -18,7 +18,7 @@ void bytes_head(uint16_t sequence, float value, uint8_t result[6])
     result[5] = elements_2[3];
 }
 
-float bytes_value(const uint8_t head[6])
+float programs_numbers_bytes_value(const uint8_t head[6])
 {
     const uint8_t result_bytes[4] = {head[2], head[3], head[4], head[5]};
     return f32_from_bits((uint32_t)result_bytes[0] | ((uint32_t)result_bytes[1] << 8U)
