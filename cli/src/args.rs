@@ -63,6 +63,8 @@ pub enum Task {
     Sizes(Sizes),
     /// List the checks for faults that are left in each entry point, and why
     Explain(Explain),
+    /// Write the folder that a reviewer reads: trace, requirements, coverage, faults, worst case, evidence
+    Dossier(Dossier),
     /// Show the Rust of a line of the C, or the C of a line of Rust
     Where(Where),
     /// Make a module of Python of the C, whose arrays are NumPy's
@@ -86,6 +88,11 @@ pub struct Package {
 }
 
 impl Package {
+    /// Selection of the package called `name`, if there is a name.
+    pub(crate) fn of(name: Option<&str>) -> Package {
+        Package { package: name.map(str::to_owned) }
+    }
+
     /// Name of the package, if set.
     pub fn name(&self) -> Option<&str> {
         self.package.as_deref()
@@ -244,6 +251,47 @@ pub struct Explain {
     pub package: Package,
     /// An entry point: `motor_step` or `Motor::step`
     pub entry: Option<String>,
+}
+
+/// Arguments of `dossier`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo bessemer dossier                              dossier/: open dossier/index.html
+  cargo bessemer dossier --requirements hlr.csv       With the texts of the requirements that the sources name
+  cargo bessemer dossier --inputs Motor::step=log.csv --fill 100
+                                                      Coverage also by a recording, and by more random inputs
+  cargo bessemer dossier --since v1.0                 Also what of the C changed since a tag, and what to test again
+  cargo bessemer dossier --check dossier              Is it of these sources? Compares hashes, and builds nothing
+
+It runs the package's tests, `verify`, an instrumented copy of the C, and the compilers that are installed. What cannot
+be run is in it with the reason. The folder needs no network, and the same sources give the same bytes. Items and tests
+name their requirements: `#[requirement(\"HLR-12\")]`. Exit code 1 if a check failed.")]
+pub struct Dossier {
+    /// Selection of the package
+    #[command(flatten)]
+    pub package: Package,
+    /// The folder to write; an earlier dossier in it is replaced
+    #[arg(long, value_name = "FOLDER", default_value = "dossier")]
+    pub output: PathBuf,
+    /// Compare this dossier with the sources, and write nothing
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["requirements", "inputs", "since", "quick", "fill"])]
+    pub check: Option<PathBuf>,
+    /// The list of requirements: CSV with the columns `id` and `text`, or ReqIF
+    #[arg(long, value_name = "FILE")]
+    pub requirements: Option<PathBuf>,
+    /// Recorded inputs for the coverage: an entry point and a file as `verify --inputs` takes it
+    #[arg(long, value_name = "ENTRY=FILE")]
+    pub inputs: Vec<String>,
+    /// Search for inputs that raise the coverage, with at most this number of further seeds
+    #[arg(long, value_name = "SEEDS", default_value_t = 0)]
+    pub fill: u64,
+    /// Also list the changes of the C since this tag or commit, in which the C is committed
+    #[arg(long, value_name = "TAG")]
+    pub since: Option<String>,
+    /// Run nothing: no tests, no comparison, no coverage, no sizes
+    #[arg(long)]
+    pub quick: bool,
 }
 
 /// Arguments of `where`.
@@ -412,6 +460,12 @@ mod tests {
         assert!(matches!(parse(&["new", "motor"]), Ok(Task::New(it)) if it.name == "motor"));
         assert!(
             matches!(parse(&["explain", "motor_step"]), Ok(Task::Explain(it)) if it.entry.is_some())
+        );
+        let dossier = parse(&["dossier", "--quick", "--inputs", "Motor::step=a.csv"]);
+        assert!(matches!(dossier, Ok(Task::Dossier(it)) if it.quick && it.inputs.len() == 1));
+        assert_eq!(
+            parse(&["dossier", "--check", "a", "--quick"]).err(),
+            Some(ErrorKind::ArgumentConflict)
         );
         assert!(matches!(parse(&["where", "a.c:7"]), Ok(Task::Where(it)) if it.line == "a.c:7"));
         assert!(matches!(parse(&["verify", "--seed", "7"]), Ok(Task::Verify(it)) if it.seed == 7));

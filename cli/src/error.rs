@@ -14,6 +14,9 @@ pub enum Error {
     /// A line has no counterpart.
     #[error(transparent)]
     Trace(#[from] bessemer_dossier::trace::Error),
+    /// A dossier cannot be made.
+    #[error(transparent)]
+    Dossier(#[from] crate::dossier::Wrong),
     /// The name of a new package means something already, or nothing.
     #[error("a package cannot be called `{name}`: {why}")]
     Name {
@@ -159,6 +162,7 @@ impl Error {
         Some(match self {
             Error::Project(error) => return error.remedy(),
             Error::Trace(error) => return error.remedy(),
+            Error::Dossier(error) => return error.remedy(),
             Error::Name { .. } => "choose another, such as `motor` or `height_loop`".to_owned(),
             Error::Exists { .. } => "choose another name, or remove that folder".to_owned(),
             Error::NoCheckout { .. } => "pass the folder of your clone".to_owned(),

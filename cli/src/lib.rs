@@ -12,6 +12,7 @@ pub mod args;
 pub mod asap2;
 pub mod counterpart;
 pub mod doctor;
+pub mod dossier;
 pub mod error;
 pub mod explain;
 pub mod fmu;

@@ -7,6 +7,8 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use bessemer_backend::c::EntryReport;
+use bessemer_codegen::compile::Compiled;
 use bessemer_legs::process;
 use bessemer_legs::toolchain::{GCC, Sizes, Toolchain};
 use bessemer_project::{Wanted, compile};
@@ -17,6 +19,31 @@ use crate::verify;
 
 /// By sections, so that what nobody calls can be left out.
 const SECTIONS: &[&str] = &["-ffunction-sections", "-fdata-sections"];
+
+/// Sizes of the C on one target.
+pub(crate) struct Measured {
+    /// Each entry point with its callees.
+    pub entries: Vec<(String, Sizes)>,
+    /// All of the C.
+    pub all: Sizes,
+}
+
+/// Measures the C of a package on one target.
+///
+/// # Errors
+/// The compiler's message.
+pub(crate) fn measured(compiled: &Compiled, toolchain: &Toolchain) -> Result<Measured, Error> {
+    let failed = |said: String| Error::Compiler { name: toolchain.name(), said };
+    let laid = process::lay_out(compiled).map_err(|error| failed(error.to_string()))?;
+    let (objects, _) = toolchain.objects(laid.sources(), SECTIONS).map_err(failed)?;
+    let kept = laid.path().join("sizes.o");
+    let entry = |entry: &EntryReport| {
+        let sizes = toolchain.brought(&objects, &entry.entry, &kept).map_err(failed)?;
+        Ok((entry.entry.clone(), sizes))
+    };
+    let entries = compiled.entries.iter().map(entry).collect::<Result<_, Error>>()?;
+    Ok(Measured { entries, all: toolchain.sizes(&objects).map_err(failed)? })
+}
 
 /// The table of sizes for each target that is requested, or for this machine.
 ///
@@ -35,9 +62,7 @@ pub fn run(folder: &Path, asked: &Asked, colour: bool) -> Result<String, Error> 
     let mut text = String::new();
     for (index, (name, toolchain)) in targets.into_iter().enumerate() {
         let toolchain = toolchain.of(project.settings.options.standard);
-        let failed = |said: String| Error::Compiler { name: toolchain.name(), said };
-        let laid = process::lay_out(&compiled).map_err(|error| failed(error.to_string()))?;
-        let (objects, _) = toolchain.objects(laid.sources(), SECTIONS).map_err(failed)?;
+        let measured = measured(&compiled, &toolchain)?;
         let width = compiled.entries.iter().map(|it| it.entry.len()).max().unwrap_or(0).max(11);
         // Writing to a string cannot fail.
         let _ = write!(
@@ -47,17 +72,15 @@ pub fn run(folder: &Path, asked: &Asked, colour: bool) -> Result<String, Error> 
             toolchain.name(),
             "entry point"
         );
-        for entry in &compiled.entries {
-            let kept = laid.path().join("sizes.o");
-            let Sizes { text: code, data, bss } =
-                toolchain.brought(&objects, &entry.entry, &kept).map_err(failed)?;
+        for (entry, (_, sizes)) in compiled.entries.iter().zip(&measured.entries) {
+            let Sizes { text: code, data, bss } = sizes;
             let _ = writeln!(
                 text,
                 "  {:width$}  {code:>6}  {data:>4}  {bss:>4}  {:>5}  {:>5}",
                 entry.entry, entry.stack_bytes, entry.state_bytes
             );
         }
-        let Sizes { text: code, data, bss } = toolchain.sizes(&objects).map_err(failed)?;
+        let Sizes { text: code, data, bss } = measured.all;
         let _ = writeln!(text, "  {:width$}  {code:>6}  {data:>4}  {bss:>4}", "all of the C");
     }
     Ok(text)

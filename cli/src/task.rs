@@ -7,7 +7,7 @@ use bessemer_project::{Wanted, generate, said};
 
 use crate::args::{MessageFormat, Task};
 use crate::error::Error;
-use crate::{asap2, counterpart, doctor, explain, fmu, new, pack, python, sizes, verify};
+use crate::{asap2, counterpart, doctor, dossier, explain, fmu, new, pack, python, sizes, verify};
 
 /// The text to print, and whether all is well. `here` is the folder in which the command was called.
 ///
@@ -26,6 +26,7 @@ pub fn perform(here: &Path, task: Task) -> Result<(String, bool), Error> {
         }
         Task::Explain(it) => Ok((explain::run(here, &it, colour)?, true)),
         Task::Verify(it) => verify::run(here, &it, colour),
+        Task::Dossier(it) => dossier::run(here, &it, colour),
         Task::Where(it) => Ok((counterpart::run(here, &it, colour)?, true)),
         Task::Sizes(it) => Ok((sizes::run(here, &it, colour)?, true)),
         Task::New(it) => Ok((new::run(here, &it)?, true)),

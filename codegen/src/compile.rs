@@ -10,7 +10,7 @@ use bessemer_ir::{ExprKind, Fault, Module, Span, Type};
 
 use crate::deep::deep;
 use bessemer_backend::c::interface::Interface;
-use bessemer_backend::c::{self, CFile, EntryReport, Site, Width};
+use bessemer_backend::c::{self, CFile, EntryReport, FunctionReport, Site, Width};
 use bessemer_backend::kernels::replace::Replacement;
 use bessemer_backend::{kernels, passes, validate};
 use bessemer_frontend::diagnostic::{Diagnostic, OUR_FAULT};
@@ -37,6 +37,8 @@ pub struct Compiled {
     pub interface: Interface,
     /// Entry points with their costs.
     pub entries: Vec<EntryReport>,
+    /// Stack of each function.
+    pub functions: Vec<FunctionReport>,
     /// Remaining checks of each function, with reasons.
     pub checks: passes::Report,
     /// Kernels that the user's functions replace, with the library of each.
@@ -124,7 +126,7 @@ fn of_module(
     }
     let files = plan.emit();
     let interface = plan.interface();
-    let entries = plan.report(&files);
+    let (entries, functions) = plan.report(&files);
     let too_wide: Vec<_> = entries.iter().flat_map(|entry| too_wide(&explicit, entry)).collect();
     if !too_wide.is_empty() {
         return Err(too_wide);
@@ -140,6 +142,7 @@ fn of_module(
         files,
         interface,
         entries,
+        functions,
         checks,
         replaced,
         fast,

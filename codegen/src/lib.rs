@@ -7,3 +7,4 @@ pub mod compile;
 pub mod deep;
 pub mod generate;
 pub mod remarks;
+pub mod worst;

@@ -3,9 +3,11 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use bessemer_backend::c::CFile;
+use bessemer_backend::c::{CFile, EntryReport};
+use bessemer_backend::passes;
 use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::generate::{self, Job, Made};
+use bessemer_codegen::worst;
 use bessemer_frontend::diagnostic::{self, Diagnostic, Told};
 use bessemer_frontend::source::Sources;
 
@@ -127,7 +129,8 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
         ]
         .map(|(limit, found, what)| Figure { limit, whose: whose.clone(), found, what })
     });
-    hold(project, figures, job.colour)?;
+    let worst = worst_case(&made.compiled, limits.worst_instructions);
+    hold(project, figures.chain(worst), job.colour)?;
     made.compiled.files.extend(parameter_tables(project, &made.compiled));
     if project.settings.build_files {
         let more = build_files::files(&made.compiled, &project.settings.options);
@@ -139,6 +142,32 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
         made.compiled.files.push(CFile { name, text, map });
     }
     Ok(made)
+}
+
+/// Bounds of the instructions of each entry point, if there is a limit for them.
+fn worst_case(compiled: &Compiled, limit: Option<Limit>) -> Vec<Figure> {
+    let Some(limit) = limit else { return Vec::new() };
+    let bounds = worst::bounds(&compiled.explicit);
+    let figure = |entry: &EntryReport| {
+        let whose = format!("`{}`", entry.entry);
+        match bounds.get(entry.function.index()).and_then(|it| it.cost) {
+            Some(cost) => Figure {
+                limit: Some(limit),
+                whose,
+                found: cost.instructions,
+                what: "instructions in the worst case",
+            },
+            None => {
+                let reached = passes::reached(&compiled.explicit, entry.function.index());
+                let loops = reached.iter().flat_map(|at| &bounds[*at].loops);
+                let unbounded = loops.filter(|it| it.passes.is_none()).count() as u64;
+                let none = Limit { most: 0, ..limit };
+                let what = "loops without a bound";
+                Figure { limit: Some(none), whose, found: unbounded, what }
+            }
+        }
+    };
+    compiled.entries.iter().map(figure).collect()
 }
 
 /// The files of the tables of parameters, where the settings request them.

@@ -252,6 +252,12 @@ pub const KEYS: &[Key] = &[
         says: "The largest number of instructions of a call of an entry point, as `verify --target` counts them; more is an error.",
     },
     Key {
+        name: "limits.worst_instructions",
+        kind: Kind::Number(u32::MAX, |to, it| to.limits.worst_instructions = Some(it)),
+        default: "none",
+        says: "The largest bound of the instructions of an entry point, by the model of `cargo bessemer dossier`; more is an error, and so is a loop without a bound.",
+    },
+    Key {
         name: "limits.text_bytes",
         kind: Kind::Number(u32::MAX, |to, it| to.limits.text_bytes = Some(it)),
         default: "none",

@@ -5,6 +5,7 @@
 //! Invariant: the output names missing legs, entry points that were not called, and lines that no call executed.
 
 mod board;
+pub(crate) mod covered;
 mod emulated;
 mod lines;
 mod native;
@@ -77,26 +78,32 @@ pub fn with_words(
     calls: &[Vec<u64>],
 ) -> Result<(String, bool), Error> {
     compared(folder, wanted, false, |_, compiled| {
-        let (module, entry) = (&compiled.module, chosen(compiled, wanted.entry.as_deref())?);
-        let function = &module.functions[entry.index()];
-        let counts: Vec<usize> =
-            function.parameters().iter().skip(1).map(|it| module.width(&it.ty)).collect();
-        let taken = counts.iter().sum();
-        let parted = |words: &Vec<u64>| {
-            if words.len() != taken {
-                let name = named(module, function);
-                return Err(Error::Words { name, found: words.len(), wanted: taken });
-            }
-            let mut rest = words.as_slice();
-            Ok(counts
-                .iter()
-                .filter_map(|count| rest.split_off(..*count))
-                .map(<[u64]>::to_vec)
-                .collect())
-        };
-        let calls = calls.iter().map(parted).collect::<Result<_, _>>()?;
+        let entry = chosen(compiled, wanted.entry.as_deref())?;
+        let calls = parted(&compiled.module, entry, calls)?;
         Ok(Inputs::Recorded { entry, calls, notes: Vec::new() })
     })
+}
+
+/// Parts the words of each call into those of each argument except the component.
+fn parted(
+    module: &Module,
+    entry: FunctionId,
+    calls: &[Vec<u64>],
+) -> Result<Vec<Vec<Vec<u64>>>, Error> {
+    let function = &module.functions[entry.index()];
+    let counts: Vec<usize> =
+        function.parameters().iter().skip(1).map(|it| module.width(&it.ty)).collect();
+    let taken = counts.iter().sum();
+    let parted = |words: &Vec<u64>| {
+        if words.len() != taken {
+            let name = named(module, function);
+            return Err(Error::Words { name, found: words.len(), wanted: taken });
+        }
+        let mut rest = words.as_slice();
+        let parts = counts.iter().filter_map(|count| rest.split_off(..*count));
+        Ok(parts.map(<[u64]>::to_vec).collect())
+    };
+    calls.iter().map(parted).collect()
 }
 
 fn compared(

@@ -88,4 +88,123 @@ pub const CASES: &[Case<'static>] = &[
         remedy: "cargo bessemer gen",
         ..PLAIN
     },
+    Case {
+        name: "a dossier to compare that is none",
+        files: MAPPED,
+        words: &["dossier", "--check", "generated"],
+        said: "`generated` is no dossier",
+        remedy: "name the folder that `cargo bessemer dossier` wrote",
+        ..PLAIN
+    },
+    Case {
+        name: "a dossier to compare that is not there",
+        files: MAPPED,
+        words: &["dossier", "--check", "nowhere"],
+        said: "`nowhere` is no dossier",
+        ..PLAIN
+    },
+    Case {
+        name: "a dossier over the author's files",
+        files: MAPPED,
+        words: &["dossier", "--output", "src"],
+        said: "which no dossier wrote",
+        remedy: "choose another folder with `--output`",
+        ..PLAIN
+    },
+    Case {
+        name: "a dossier over the C",
+        files: MAPPED,
+        words: &["dossier", "--output", "generated"],
+        said: "which no dossier wrote",
+        ..PLAIN
+    },
+    Case {
+        name: "inputs without a file",
+        files: MAPPED,
+        words: &["dossier", "--inputs", "flight.csv"],
+        said: "`flight.csv` is no entry point with a file",
+        remedy: "--inputs Motor::step=flight.csv",
+        ..PLAIN
+    },
+    Case {
+        name: "inputs that are not there",
+        files: MAPPED,
+        words: &["dossier", "--inputs", "Motor::step=flight.csv"],
+        said: "`flight.csv`: No such file",
+        ..PLAIN
+    },
+    Case {
+        name: "requirements that are not there",
+        files: MAPPED,
+        words: &["dossier", "--requirements", "hlr.csv"],
+        said: "`hlr.csv`: No such file",
+        ..PLAIN
+    },
+    Case {
+        name: "requirements without identifiers",
+        files: &[PACKAGE[0], RUST, PACKAGE[2], PACKAGE[3], C, MAP, ("hlr.csv", "name,text\nA,B\n")],
+        words: &["dossier", "--requirements", "hlr.csv"],
+        said: "`hlr.csv`: the first line names no column `id`: name, text",
+        remedy: "CSV with a column `id`",
+        ..PLAIN
+    },
+    Case {
+        name: "two requirements of one name",
+        files: &[PACKAGE[0], RUST, PACKAGE[2], PACKAGE[3], C, MAP, ("hlr.csv", "id\nA\nA\n")],
+        words: &["dossier", "--requirements", "hlr.csv"],
+        said: "`hlr.csv`: `A` is there twice",
+        ..PLAIN
+    },
+    Case {
+        name: "requirements in broken XML",
+        files: &[
+            PACKAGE[0],
+            RUST,
+            PACKAGE[2],
+            PACKAGE[3],
+            C,
+            MAP,
+            ("hlr.reqif", "<REQ-IF></other>"),
+        ],
+        words: &["dossier", "--requirements", "hlr.reqif"],
+        said: "`hlr.reqif`: byte ",
+        remedy: "or ReqIF",
+        ..PLAIN
+    },
+    Case {
+        name: "an attribute that names no requirement",
+        files: &[
+            PACKAGE[0],
+            ("src/lib.rs", "\n#[requirement(HLR)]\nfn f() {}\n"),
+            PACKAGE[2],
+            PACKAGE[3],
+            C,
+            MAP,
+        ],
+        words: &["dossier"],
+        said: "`src/lib.rs`, line 2: a requirement is named by its identifier",
+        ..PLAIN
+    },
+    Case {
+        name: "a source that is no Rust",
+        files: &[PACKAGE[0], ("src/lib.rs", "fn f( {\n"), PACKAGE[2], PACKAGE[3], C, MAP],
+        words: &["dossier"],
+        said: "`src/lib.rs`, line ",
+        ..PLAIN
+    },
+    Case {
+        name: "a version without a repository",
+        files: MAPPED,
+        words: &["dossier", "--since", "v1"],
+        said: "git knows no version `v1`: ",
+        remedy: "`git tag`",
+        ..PLAIN
+    },
+    Case {
+        name: "a version that would be an option of git",
+        files: MAPPED,
+        words: &["dossier", "--since=--all"],
+        said: "git knows no version `--all`: ",
+        ..PLAIN
+    },
 ];

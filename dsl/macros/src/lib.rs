@@ -393,6 +393,50 @@ pub fn entry(_arguments: TokenStream, item: TokenStream) -> TokenStream {
     alone(item.into(), lower::refuse::ENTRY_ALONE)
 }
 
+/// Names the requirements that an item implements, or that a test verifies: `#[requirement("HLR-12")]`.
+///
+/// It changes neither the Rust nor the C. `cargo bessemer dossier` builds the matrix of requirements, items, functions of
+/// the C, tests and their results from it. It may be on any item, on a method, on a module or `impl` block (for each item
+/// in it) and on a test, and names one identifier or several.
+///
+/// # Example
+///
+/// ```
+/// use bessemer::prelude::*;
+///
+/// /// Counts pulses.
+/// #[requirement("HLR-1")]
+/// #[component]
+/// #[derive(Clone, Debug, Default, PartialEq)]
+/// pub struct Counter {
+///     count: u32,
+/// }
+///
+/// #[component]
+/// impl Counter {
+///     /// Counts one pulse.
+///     #[requirement("HLR-1", "HLR-2")]
+///     #[entry(infallible)]
+///     pub fn pulse(&mut self) -> u32 {
+///         self.count = self.count.wrapping_add(1);
+///         self.count
+///     }
+/// }
+///
+/// # fn main() {
+/// let mut counter = Counter::default();
+/// assert_eq!(counter.pulse(), 1);
+/// # }
+/// ```
+#[proc_macro_attribute]
+pub fn requirement(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    let parser = syn::punctuated::Punctuated::<syn::LitStr, syn::Token![,]>::parse_terminated;
+    match syn::parse::Parser::parse(parser, arguments) {
+        Ok(named) if !named.is_empty() => item,
+        _ => alone(item.into(), lower::refuse::REQUIREMENT),
+    }
+}
+
 /// Refuses an attribute that is valid only below another.
 fn alone(item: proc_macro2::TokenStream, reason: lower::refuse::Reason) -> TokenStream {
     let mut refusals = lower::Refusals::default();

@@ -3,6 +3,7 @@
 
 mod built;
 mod described;
+mod dossier;
 mod observer;
 mod units;
 mod verified;
@@ -70,6 +71,7 @@ fn a_new_package_is_simulated_and_generated() {
     verified::verified_by_a_test(&package);
     verified::verified_on_a_board(&package);
     sized(&package);
+    dossier::run(&package);
     built::packed(&package);
     called_from_python(&package);
     simulated_as_a_unit(&package);

@@ -244,7 +244,7 @@ impl File {
     }
 
     /// Returns the first line of a function's head: its name may be on a later line.
-    fn head(&self, function: &Function) -> u32 {
+    pub(crate) fn head(&self, function: &Function) -> u32 {
         let lines: Vec<&str> = self.text.lines().collect();
         let mut line = function.line;
         while line > 1 {

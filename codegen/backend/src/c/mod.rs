@@ -56,7 +56,7 @@ pub use library::Math;
 pub use matrices::Layout;
 pub use options::{Options, Standard};
 pub use print::comment_text;
-pub use report::{EntryReport, Site};
+pub use report::{EntryReport, FunctionReport, Site};
 pub use reserved::is_reserved_globally as is_reserved;
 pub use units::Measured;
 pub use wide::Width;
@@ -124,7 +124,7 @@ impl<'m> Plan<'m> {
     }
 
     /// Reports on every entry point, in the order of the module.
-    pub fn report(&self, files: &[CFile]) -> Vec<EntryReport> {
+    pub fn report(&self, files: &[CFile]) -> (Vec<EntryReport>, Vec<FunctionReport>) {
         report::report(self.context(), self.options, files)
     }
 

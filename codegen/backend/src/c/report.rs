@@ -50,6 +50,19 @@ pub struct EntryReport {
     pub units: Vec<Measured>,
 }
 
+/// Stack of one function.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FunctionReport {
+    /// The function.
+    pub function: FunctionId,
+    /// The C name.
+    pub name: String,
+    /// Bytes of its own variables.
+    pub frame_bytes: u64,
+    /// Estimated stack with its callees, bytes.
+    pub stack_bytes: u64,
+}
+
 /// A line of the author's with a wide operation.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Site {
@@ -61,11 +74,15 @@ pub struct Site {
     pub through: Option<FunctionId>,
 }
 
-/// Reports on every entry point, in the order of the module.
-pub fn report(context: Context<'_>, options: &Options, files: &[CFile]) -> Vec<EntryReport> {
+/// Reports on every entry point and on every function, in the order of the module.
+pub fn report(
+    context: Context<'_>,
+    options: &Options,
+    files: &[CFile],
+) -> (Vec<EntryReport>, Vec<FunctionReport>) {
     let Context { module, names, faults } = context;
     let mut deepest: Vec<(u64, u64)> = Vec::new();
-    let mut list = Vec::new();
+    let (mut list, mut functions) = (Vec::new(), Vec::new());
     let mut widths = Widths { module, direct: Vec::new(), reached: Vec::new() };
     for (index, function) in module.functions.iter().enumerate() {
         let id = FunctionId(index as u32);
@@ -90,6 +107,12 @@ pub fn report(context: Context<'_>, options: &Options, files: &[CFile]) -> Vec<E
             }
         });
         deepest.push((own.next_multiple_of(8) + FRAME + below, largest));
+        functions.push(FunctionReport {
+            function: id,
+            name: names.signature(id).name.clone(),
+            frame_bytes: own,
+            stack_bytes: deepest[index].0,
+        });
         let (Role::Entry { .. }, Some(Owner::Struct(owner))) = (function.role, function.owner)
         else {
             continue;
@@ -115,7 +138,7 @@ pub fn report(context: Context<'_>, options: &Options, files: &[CFile]) -> Vec<E
             units: units::of_entry(module, names, function, names.signature(id)),
         });
     }
-    list
+    (list, functions)
 }
 
 /// Wide operations of functions, callees before callers.

@@ -213,6 +213,7 @@ reasons! {
     ENTRY_ALONE: "`#[entry]` belongs on a method inside an `impl` block marked `#[component]`", "mark the `impl` block `#[component]`, or call a free function from an entry point";
     RUST_TYPE: "a function with the name of a Rust type hides that type", "rename it: `to_f64`";
     ENTRY_OF_DATA: "a type marked `#[data]` cannot have entry points", "mark the struct and this block `#[component]`";
+    REQUIREMENT: "`#[requirement]` takes identifiers of requirements", "write `#[requirement(\"HLR-12\")]`, or several: `#[requirement(\"HLR-12\", \"HLR-13\")]`";
     MACRO: "this macro is not supported", "write the expression out, or a function marked `#[function]`";
 }
 

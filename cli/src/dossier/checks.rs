@@ -1,0 +1,330 @@
+//! Checks that a dossier runs, each with its command, versions, verdict and figures.
+//!
+//! Invariant: a figure has no date, no time and no path of this machine.
+
+use std::path::Path;
+use std::process::Command;
+
+use bessemer_codegen::compile::Compiled;
+use bessemer_dossier::content::{Outcome, Sizes};
+use bessemer_dossier::coverage::Report;
+use bessemer_dossier::requirements::Results;
+use bessemer_dossier::requirements::rust::Item;
+use bessemer_legs::toolchain::{self, GCC, Toolchain};
+use bessemer_project::Project;
+
+use super::outcome;
+use crate::args::{Package, Target, Verify};
+use crate::error::Error;
+use crate::{same_bits, sizes, verify};
+
+/// Verdict of a check that found nothing wrong.
+pub const PASSED: &str = "passed";
+/// Verdict of a check that found something.
+pub const FAILED: &str = "failed";
+/// Verdict of a check that was not run.
+pub const NOT_RUN: &str = "not run";
+
+/// Returns the first line that a program answers to `--version`.
+fn version(program: &str) -> String {
+    let output = Command::new(program).arg("--version").output();
+    let text = output.map(|it| String::from_utf8_lossy(&it.stdout).into_owned());
+    text.ok().and_then(|it| it.lines().next().map(str::to_owned)).unwrap_or_default()
+}
+
+/// Returns the version of rustc.
+pub fn rustc() -> String {
+    let program = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned());
+    version(&program).trim_start_matches("rustc ").to_owned()
+}
+
+/// The versions of the compilers on this machine.
+fn compilers() -> String {
+    let mut names: Vec<&str> = toolchain::host().iter().map(|it| it.compiler).collect();
+    names.dedup();
+    names.into_iter().map(version).collect::<Vec<_>>().join("; ")
+}
+
+/// The C is what the models give: it was compared before anything else.
+pub fn current(compiled: &Compiled) -> Outcome {
+    let files = compiled.files.len();
+    let detail = format!("{files} files, equal to the byte");
+    let version = format!("bessemer {}", env!("CARGO_PKG_VERSION"));
+    outcome("The C is what the models give", "cargo bessemer gen --check", version, PASSED, detail)
+}
+
+/// Checks that were left out.
+pub fn not_run(why: &str) -> Vec<Outcome> {
+    let checks = [
+        ("Tests of the package", "cargo test"),
+        ("Rust, interpreter and C agree", "cargo bessemer verify"),
+        ("Coverage of the C", "cargo bessemer dossier"),
+        ("Sizes", "cargo bessemer sizes"),
+    ];
+    let one = |(what, command)| outcome(what, command, String::new(), NOT_RUN, why.to_owned());
+    checks.map(one).to_vec()
+}
+
+/// A call of an entry point in a test, with its words.
+pub type Calls = Vec<(String, Vec<Vec<u64>>)>;
+
+/// Results of the package's tests.
+pub struct Tested {
+    /// Outcome of all.
+    pub outcome: Outcome,
+    /// Results by file and name.
+    pub results: Results,
+    /// Calls that the tests made through `same_bits`.
+    pub calls: Calls,
+}
+
+/// Runs the tests of the package.
+pub fn tests(project: &Project, items: &[Item]) -> Tested {
+    let what = "Tests of the package";
+    let shown = format!("cargo test --package {}", project.package.name);
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let recorded = tempfile::tempdir();
+    let mut command = Command::new(cargo);
+    command.args(["test", "--no-fail-fast", "--color", "never", "--package"]);
+    command.arg(&project.package.name).current_dir(&project.workspace.root);
+    if let Ok(folder) = &recorded {
+        command.env(same_bits::RECORD, folder.path());
+    }
+    // Standard error names the programs, standard output the tests: both in one stream, in order.
+    let said = both(&mut command);
+    let none = |detail: String| Tested {
+        outcome: outcome(what, &shown, rustc(), NOT_RUN, detail),
+        results: Results::new(),
+        calls: Calls::new(),
+    };
+    let said = match said {
+        Ok(said) => said,
+        Err(error) => return none(error.to_string()),
+    };
+    let results = results(&said, items, &project.package.folder, &project.workspace.root);
+    if results.all == 0 {
+        let errors = said.lines().find(|line| line.starts_with("error"));
+        let (verdict, detail) = match errors {
+            Some(line) => (FAILED, line.to_owned()),
+            None => (NOT_RUN, "the package has no tests".to_owned()),
+        };
+        let mut tested = none(detail);
+        tested.outcome.verdict = verdict;
+        return tested;
+    }
+    let verdict = if results.failed == 0 { PASSED } else { FAILED };
+    let detail = format!("{} passed, {} failed", results.all - results.failed, results.failed);
+    let calls = recorded.map(|it| same_bits::recorded(it.path())).unwrap_or_default();
+    let outcome = outcome(what, &shown, rustc(), verdict, detail);
+    Tested { outcome, results: results.by_name, calls }
+}
+
+fn both(command: &mut Command) -> std::io::Result<String> {
+    use std::io::{Read, Seek};
+    let mut file = tempfile::tempfile()?;
+    command.stdout(file.try_clone()?).stderr(file.try_clone()?);
+    command.stdin(std::process::Stdio::null()).status()?;
+    file.rewind()?;
+    let mut bytes = Vec::new();
+    file.read_to_end(&mut bytes)?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+#[derive(Default)]
+struct Counted {
+    all: usize,
+    failed: usize,
+    by_name: Results,
+}
+
+/// Reads what `cargo test` prints.
+fn results(said: &str, items: &[Item], package: &Path, root: &Path) -> Counted {
+    let mut found = Counted::default();
+    let before = package.strip_prefix(root).unwrap_or(package).to_string_lossy().replace('\\', "/");
+    let before = if before.is_empty() { String::new() } else { format!("{before}/") };
+    let mut file = String::new();
+    for line in said.lines() {
+        let line = line.trim();
+        if let Some(rest) = line.strip_prefix("Running ") {
+            let rest = rest.strip_prefix("unittests ").unwrap_or(rest);
+            let path = rest.split(" (").next().unwrap_or_default().replace('\\', "/");
+            file = path.rsplit_once(&before).map_or(path.clone(), |(_, path)| path.to_owned());
+            continue;
+        }
+        if line.starts_with("Doc-tests ") {
+            file.clear();
+            continue;
+        }
+        let Some((name, verdict)) =
+            line.strip_prefix("test ").and_then(|it| it.split_once(" ... "))
+        else {
+            continue;
+        };
+        let passed = match verdict.split(',').next().unwrap_or_default() {
+            "ok" => true,
+            "FAILED" => false,
+            _ => continue,
+        };
+        found.all += 1;
+        found.failed += usize::from(!passed);
+        let own = items.iter().filter(|it| it.is_test).find(|it| {
+            let path = it.file.strip_prefix(&before).unwrap_or(&it.file);
+            in_program(path, &file).is_some_and(|module| {
+                let full = match module.is_empty() {
+                    true => it.name.clone(),
+                    false => format!("{module}::{}", it.name),
+                };
+                full == name
+            })
+        });
+        if let Some(item) = own {
+            found.by_name.insert(format!("{}:{}", item.file, item.name), passed);
+        }
+    }
+    found
+}
+
+/// Returns the module of a source in the program that begins with the file `root`; none if it is in another program.
+fn in_program(path: &str, root: &str) -> Option<String> {
+    if path == root {
+        return Some(String::new());
+    }
+    let folder = match root.rsplit_once('/') {
+        Some((folder, "lib.rs" | "main.rs" | "mod.rs")) => folder.to_owned(),
+        _ => root.strip_suffix(".rs")?.to_owned(),
+    };
+    let inner = path.strip_prefix(&format!("{folder}/"))?.strip_suffix(".rs")?;
+    Some(inner.strip_suffix("/mod").unwrap_or(inner).replace('/', "::"))
+}
+
+/// Compares Rust, interpreter and C.
+pub fn verified(folder: &Path, package: Option<&str>) -> Outcome {
+    let what = "Rust, interpreter and C agree";
+    let wanted = Verify { package: Package::of(package), ..Verify::default() };
+    let (verdict, detail) = match verify::run(folder, &wanted, false) {
+        Ok((text, good)) => {
+            let calls = text.lines().next().unwrap_or_default();
+            let calls = calls.split(';').next().unwrap_or_default().to_owned();
+            let legs = text.lines().filter(|line| line.contains(" words differ"));
+            let legs: Vec<String> =
+                legs.map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ")).collect();
+            (if good { PASSED } else { FAILED }, format!("{calls}; {}", legs.join("; ")))
+        }
+        Err(Error::NoCompiler) => (NOT_RUN, "neither gcc nor clang is installed".to_owned()),
+        Err(error) => (FAILED, error.to_string()),
+    };
+    outcome(what, "cargo bessemer verify", compilers(), verdict, detail)
+}
+
+/// The outcome of a measurement of coverage, and its report.
+///
+/// # Errors
+/// An error of the user's inputs.
+pub fn covered(measured: Result<Report, Error>) -> Result<(Outcome, Option<Report>), Error> {
+    let what = "Coverage of the C";
+    let of =
+        |verdict, detail| outcome(what, "cargo bessemer dossier", compilers(), verdict, detail);
+    match measured {
+        Ok(report) => {
+            let counts = report.counts;
+            let detail = format!(
+                "statements {} of {}, branches {} of {}, MC/DC {} of {}",
+                counts.statements.covered,
+                counts.statements.all,
+                counts.branches.covered,
+                counts.branches.all,
+                counts.conditions.covered,
+                counts.conditions.all
+            );
+            Ok((of(PASSED, detail), Some(report)))
+        }
+        Err(Error::NoCompiler) => {
+            Ok((of(NOT_RUN, "neither gcc nor clang is installed".to_owned()), None))
+        }
+        Err(Error::Compiler { name, said }) => {
+            let first = said.lines().find_map(|line| Some(line.split_once("error: ")?.1));
+            let short = first.unwrap_or("the C was refused");
+            Ok((of(FAILED, format!("{name}: {short}")), None))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// This machine and processors whose compilers are installed.
+pub fn targets() -> Vec<(&'static str, Toolchain)> {
+    let all = [Target::Zynq, Target::CortexM4f, Target::Riscv32].map(verify::machine);
+    let own = ("this machine", GCC);
+    let there = |it: &(&str, Toolchain)| bessemer_tools::check(&[it.1.compiler]).is_ok();
+    std::iter::once(own).chain(all).filter(there).collect()
+}
+
+/// Measures the sizes on a target.
+pub fn sizes(
+    project: &Project,
+    compiled: &Compiled,
+    name: &str,
+    toolchain: Toolchain,
+) -> (Outcome, Option<Sizes>) {
+    let what = format!("Sizes on {name}");
+    let command = match name {
+        "this machine" => "cargo bessemer sizes".to_owned(),
+        name => format!("cargo bessemer sizes --target {name}"),
+    };
+    let compiler = version(toolchain.compiler);
+    match sizes::measured(compiled, &toolchain.of(project.settings.options.standard)) {
+        Ok(measured) => {
+            let row = |(name, it): (&String, &toolchain::Sizes)| {
+                [name.clone(), it.text.to_string(), it.data.to_string(), it.bss.to_string()]
+            };
+            let all = ("all of the C".to_owned(), measured.all);
+            let rows = measured.entries.iter().map(|(name, it)| row((name, it)));
+            let rows = rows.chain([row((&all.0, &all.1))]).collect();
+            let detail = format!("{} bytes of code and constants in all", all.1.text);
+            let sizes = Sizes { target: format!("{name}: {compiler}, -O2"), rows };
+            (outcome(&what, &command, compiler, PASSED, detail), Some(sizes))
+        }
+        Err(error) => {
+            let said = error.to_string();
+            let said = said.lines().next().unwrap_or_default().to_owned();
+            (outcome(&what, &command, compiler, FAILED, said), None)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn item(file: &str, name: &str) -> Item {
+        Item {
+            name: name.to_owned(),
+            file: file.to_owned(),
+            line: 1,
+            last_line: 2,
+            is_test: true,
+            is_function: true,
+            requirements: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn results_are_those_of_the_program_that_ran_the_test() {
+        let items = [
+            item("models/src/height.rs", "tests::holds"),
+            item("models/tests/course.rs", "holds"),
+            item("models/tests/gate.rs", "holds"),
+        ];
+        let said = "     Running unittests src/lib.rs (target/debug/deps/models-1)\n\
+test height::tests::holds ... ok\n     Running tests/course.rs (target/debug/deps/course-1)\n\
+test holds ... FAILED\ntest other ... ignored, slow\n   Doc-tests models\ntest holds ... ok\n";
+        let found = results(said, &items, Path::new("/w/models"), Path::new("/w"));
+        assert_eq!((found.all, found.failed), (3, 1));
+        assert_eq!(
+            found.by_name,
+            Results::from([
+                ("models/src/height.rs:tests::holds".to_owned(), true),
+                ("models/tests/course.rs:holds".to_owned(), false),
+            ])
+        );
+    }
+}

@@ -1,0 +1,353 @@
+//! `cargo bessemer dossier`: writes the folder that a reviewer reads, or compares one with the sources.
+//!
+//! Invariants: the folder is written whole or not at all; what could not be run is in it with the reason. It must not know
+//! how a page looks.
+
+mod checks;
+mod sources;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::generate;
+use bessemer_codegen::worst::{self, Bound};
+use bessemer_dossier::calls::Calls;
+use bessemer_dossier::change::{self, Version};
+use bessemer_dossier::content::{self, Content, Outcome};
+use bessemer_dossier::evidence::{self, Evidence};
+use bessemer_dossier::manifest;
+use bessemer_dossier::requirements::table::{self, Requirement};
+use bessemer_dossier::requirements::{Matrix, Results};
+use bessemer_dossier::scan::Kind;
+use bessemer_dossier::trace::{Folder, Workspace};
+use bessemer_dossier::{output, page};
+use bessemer_project::Project;
+
+use crate::args::Dossier;
+use crate::error::Error;
+use crate::verify::covered::{self, Sources};
+
+/// Reason why a dossier cannot be made.
+#[derive(Debug, thiserror::Error)]
+pub enum Wrong {
+    /// The C in the folder is not what the models give.
+    #[error("the C in `{folder}` is not what the models give: {}", files.join(", "))]
+    Stale {
+        /// The folder.
+        folder: PathBuf,
+        /// Names of files, each with the difference.
+        files: Vec<String>,
+    },
+    /// A source or an attribute cannot be read.
+    #[error("`{file}`, line {line}: {why}")]
+    Source {
+        /// The file.
+        file: String,
+        /// The line.
+        line: u32,
+        /// The mistake.
+        why: String,
+    },
+    /// The list of requirements cannot be read.
+    #[error("`{path}`: {why}")]
+    Requirements {
+        /// The file.
+        path: PathBuf,
+        /// The mistake.
+        why: table::Error,
+    },
+    /// An input is no `ENTRY=FILE`.
+    #[error("`{said}` is no entry point with a file")]
+    Input {
+        /// The user's text.
+        said: String,
+    },
+    /// The earlier version is not there.
+    #[error("git knows no version `{tag}`: {said}")]
+    Tag {
+        /// The user's text.
+        tag: String,
+        /// Message of git.
+        said: String,
+    },
+    /// The earlier version has no C.
+    #[error("`{tag}` has no C in `{folder}`")]
+    NoC {
+        /// The version.
+        tag: String,
+        /// The folder of the C.
+        folder: String,
+    },
+    /// The folder cannot be written or read.
+    #[error(transparent)]
+    Output(#[from] output::Error),
+}
+
+impl Wrong {
+    /// Returns a step that resolves the error.
+    pub fn remedy(&self) -> Option<String> {
+        Some(match self {
+            Wrong::Stale { .. } => "write it anew: `cargo bessemer gen`, and review it".to_owned(),
+            Wrong::Source { .. } => return None,
+            Wrong::Requirements { .. } => {
+                "pass CSV with a column `id` and one `text`, or ReqIF".to_owned()
+            }
+            Wrong::Input { .. } => "write `--inputs Motor::step=flight.csv`".to_owned(),
+            Wrong::Tag { .. } => "name a tag or a commit of this repository: `git tag`".to_owned(),
+            Wrong::NoC { .. } => {
+                "name a version in which the C is committed, with its maps".to_owned()
+            }
+            Wrong::Output(error) => return error.remedy(),
+        })
+    }
+}
+
+/// Writes the dossier, or compares one. Returns the text to print, and true if all checks passed.
+///
+/// # Errors
+/// Errors of the models, the C or the system; nothing is then written.
+pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, bool), Error> {
+    let project = Project::find(folder, wanted.package.name(), colour)?;
+    if let Some(dossier) = &wanted.check {
+        return compared(&project, dossier, colour);
+    }
+    let place = folder.join(&wanted.output);
+    // Before minutes of work, everything that it would be in vain without.
+    output::ready(&place).map_err(Wrong::from)?;
+    let inputs = wanted.inputs.iter().map(|said| input(said));
+    let recordings = inputs.collect::<Result<Vec<_>, _>>()?;
+    let list = wanted.requirements.as_deref().map(requirements).transpose()?;
+    let items = sources::items(&project)?;
+    let earlier = wanted.since.as_deref().map(|tag| sources::earlier(&project, tag, colour));
+    let earlier = earlier.transpose()?;
+
+    let say = |step: &str| anstream::eprintln!("dossier: {step}");
+    say("compiling the models");
+    let job = project.job(colour);
+    let compiled = generate::compiled(&job).map_err(bessemer_project::Error::from)?.compiled;
+    current(&job.output, &compiled)?;
+    let c = Folder::read(&job.output)?;
+    let calls = Calls::of(&c);
+    let bounds = worst::bounds(&compiled.explicit);
+
+    let mut results = vec![checks::current(&compiled)];
+    let mut of_tests = Results::new();
+    let mut own = Sources { recordings, fill: wanted.fill, ..Sources::default() };
+    let mut sizes = Vec::new();
+    let mut coverage = None;
+    if wanted.quick {
+        results.extend(checks::not_run("`--quick` was passed"));
+    } else {
+        say("running the tests of the package");
+        let tested = checks::tests(&project, &items);
+        results.push(tested.outcome);
+        (of_tests, own.tests) = (tested.results, tested.calls);
+        say("comparing Rust, interpreter and C");
+        results.push(checks::verified(folder, wanted.package.name()));
+        say("measuring the coverage of the C");
+        let measured = covered::covered(&project, &compiled, &c, &own);
+        let (outcome, report) = checks::covered(measured)?;
+        results.push(outcome);
+        coverage = report;
+        for (name, toolchain) in checks::targets() {
+            say(&format!("measuring sizes on {name}"));
+            let (outcome, rows) = checks::sizes(&project, &compiled, name, toolchain);
+            results.push(outcome);
+            sizes.extend(rows);
+        }
+    }
+    say("writing the pages");
+    let root = &project.workspace.root;
+    let rust = sources::rust_texts(root, &c);
+    let change = earlier.as_ref().map(|earlier| {
+        let now_manifest = std::fs::read_to_string(job.output.join("manifest.json"));
+        let now_manifest = now_manifest.unwrap_or_default();
+        let options = sources::options(&project);
+        let now = Version {
+            folder: &c,
+            manifest: &now_manifest,
+            rust: &rust,
+            options: options.as_deref(),
+        };
+        let before = Version {
+            folder: &earlier.folder,
+            manifest: &earlier.manifest,
+            rust: &earlier.rust,
+            options: earlier.options.as_deref(),
+        };
+        change::change(&earlier.tag, &before, &now, &items)
+    });
+    let lock = std::fs::read_to_string(root.join("Cargo.lock")).unwrap_or_default();
+    let matrix = Matrix::of(list.as_deref(), &items, &c, &of_tests);
+    let failed = results.iter().any(|it| it.verdict == checks::FAILED);
+    let content = Content {
+        package: project.package.name.clone(),
+        tool: job.version.clone(),
+        rustc: checks::rustc(),
+        license: compiled.license.clone(),
+        results,
+        sizes,
+        coverage,
+        change,
+        evidence: Evidence::of(&c, &lock, &project.package.name),
+        traced: traced(&c),
+        ..content(&compiled, &c, &calls, &bounds, matrix)
+    };
+    let files = files(&project, &c, &content, &lock)?;
+    output::write(&place, &files).map_err(Wrong::from)?;
+    let mut text = String::new();
+    for it in &content.results {
+        text += &format!("{:<8}  {}: {}\n", it.verdict, it.what, it.detail);
+    }
+    text += &format!("{} files in {}\n", files.len(), wanted.output.display());
+    Ok((text, !failed))
+}
+
+fn content(
+    compiled: &Compiled,
+    c: &Folder,
+    calls: &Calls,
+    bounds: &[Bound],
+    matrix: Matrix,
+) -> Content {
+    let (components, structs, enums) = content::types(compiled, calls, bounds);
+    let number = |it: u64| it.to_string();
+    let weights = worst::WEIGHTS.map(|(_, name, instructions, a9, m4f)| {
+        [name.to_owned(), number(instructions), number(a9), number(m4f)]
+    });
+    Content {
+        components,
+        structs,
+        enums,
+        functions: content::functions(compiled, c, calls, bounds),
+        loops: content::loops(compiled, bounds),
+        weights: weights.to_vec(),
+        matrix,
+        ..Content::default()
+    }
+}
+
+/// Numbers of statements with a counterpart, and of all, in files with maps.
+fn traced(c: &Folder) -> (usize, usize) {
+    let files = c.files.iter().filter(|file| !file.rows.is_empty());
+    let mut numbers = (0, 0);
+    for file in files {
+        let statements = file.functions.iter().flat_map(|function| &function.statements);
+        for statement in statements.filter(|it| it.kind != Kind::Declaration) {
+            numbers.0 += usize::from(file.counterpart(statement.line).is_some());
+            numbers.1 += 1;
+        }
+    }
+    numbers
+}
+
+/// The files of the dossier, with the manifest.
+fn files(
+    project: &Project,
+    c: &Folder,
+    content: &Content,
+    lock: &str,
+) -> Result<BTreeMap<String, String>, Error> {
+    let root = &project.workspace.root;
+    let mut manifest = sources::manifest(project, c, &content.tool, &content.rustc)?;
+    let identity = vec![
+        ("package".to_owned(), format!("{} {}", content.package, project.package.version)),
+        ("bessemer".to_owned(), content.tool.clone()),
+        ("rustc".to_owned(), content.rustc.clone()),
+        ("sources".to_owned(), sources::digest(&manifest.sources)),
+        ("C".to_owned(), sources::digest(&manifest.c)),
+    ];
+    let cells = content.matrix.cells();
+    let mut files = BTreeMap::from([
+        ("index.html".to_owned(), page::index(content, &identity)),
+        (page::TRACE_PAGE.to_owned(), page::trace(&content.package, c, &Workspace(root))),
+        ("requirements.csv".to_owned(), table::to_csv(&cells)),
+        ("requirements.reqif".to_owned(), table::to_reqif(&content.package, &cells)),
+        (
+            "sbom.cdx.json".to_owned(),
+            evidence::sbom(lock, &content.package, &content.tool, &content.rustc),
+        ),
+    ]);
+    manifest.outputs =
+        files.iter().map(|(name, text)| (name.clone(), manifest::hash(text.as_bytes()))).collect();
+    files.insert(manifest::NAME.to_owned(), manifest.text());
+    Ok(files)
+}
+
+/// Compares a dossier with the sources of today.
+fn compared(project: &Project, dossier: &Path, colour: bool) -> Result<(String, bool), Error> {
+    let before = output::manifest(dossier).map_err(Wrong::from)?;
+    let c = Folder::read(&project.job(colour).output)?;
+    let tool = env!("CARGO_PKG_VERSION");
+    let mut today = sources::manifest(project, &c, tool, &checks::rustc())?;
+    let is_page = |path: &Path| path.file_name().is_some_and(|name| name != manifest::NAME);
+    manifest::add_folder(dossier, dossier, &is_page, &mut today.outputs)
+        .map_err(|(path, source)| Error::File { path, source })?;
+    let mut found = before.compare(&today);
+    if before.package != project.package.name {
+        found.differ.insert(0, format!("it is the dossier of `{}`", before.package));
+    }
+    let mut text: String = found.differ.iter().map(|it| format!("{it}\n")).collect();
+    for note in &found.notes {
+        text += &format!("note: {note}\n");
+    }
+    text += &match found.differ.len() {
+        0 => format!("the dossier is of these sources: {} files are equal\n", found.equal),
+        count => format!("{} files are equal, {count} differ\n", found.equal),
+    };
+    Ok((text, found.differ.is_empty()))
+}
+
+/// Checks that the C in the folder is what the models give.
+fn current(output: &Path, compiled: &Compiled) -> Result<(), Error> {
+    let mut files: Vec<String> = Vec::new();
+    for file in &compiled.files {
+        match std::fs::read(output.join(&file.name)) {
+            Ok(bytes) if bytes == file.text.as_bytes() => {}
+            Ok(_) => files.push(format!("`{}` differs", file.name)),
+            Err(_) => files.push(format!("`{}` is missing", file.name)),
+        }
+    }
+    if files.is_empty() {
+        return Ok(());
+    }
+    if files.len() > 4 {
+        let more = files.len() - 3;
+        files.truncate(3);
+        files.push(format!("and {more} more"));
+    }
+    Err(Wrong::Stale { folder: output.to_owned(), files }.into())
+}
+
+fn input(said: &str) -> Result<(String, PathBuf), Error> {
+    let wrong = || Wrong::Input { said: said.to_owned() };
+    let (entry, file) = said.split_once('=').ok_or_else(wrong)?;
+    let path = PathBuf::from(file);
+    if entry.is_empty() || file.is_empty() {
+        return Err(wrong().into());
+    }
+    match std::fs::metadata(&path) {
+        Ok(_) => Ok((entry.to_owned(), path)),
+        Err(source) => Err(Error::File { path, source }),
+    }
+}
+
+fn requirements(path: &Path) -> Result<Vec<Requirement>, Error> {
+    let bytes = std::fs::read(path);
+    let bytes = bytes.map_err(|source| Error::File { path: path.to_owned(), source })?;
+    let text = String::from_utf8_lossy(&bytes);
+    let read = table::read(&text);
+    read.map_err(|why| Wrong::Requirements { path: path.to_owned(), why }.into())
+}
+
+/// An outcome of a check.
+fn outcome(
+    what: &str,
+    command: &str,
+    version: String,
+    verdict: &'static str,
+    detail: String,
+) -> Outcome {
+    Outcome { what: what.to_owned(), command: command.to_owned(), version, verdict, detail }
+}

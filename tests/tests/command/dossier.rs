@@ -1,0 +1,115 @@
+//! The dossier as its users make and check it.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use cargo_bessemer::args::{Arguments, Task};
+use cargo_bessemer::dossier;
+use clap::Parser as _;
+
+type Done = Result<(String, bool), cargo_bessemer::error::Error>;
+
+fn dossier_of(package: &Path, words: &[&str]) -> Done {
+    let words = ["cargo", "bessemer", "dossier"].iter().chain(words);
+    match Arguments::try_parse_from(words).expect("the words").task() {
+        Task::Dossier(wanted) => dossier::run(package, &wanted, false),
+        _ => unreachable!("the word `dossier`"),
+    }
+}
+
+fn read(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let files = fs::read_dir(folder).expect("the dossier").flatten();
+    let read = |path: &Path| fs::read(path).expect("a file");
+    files.map(|it| (it.file_name().to_string_lossy().into_owned(), read(&it.path()))).collect()
+}
+
+/// It is whole, it is the same each time, and it is compared with the sources.
+pub fn run(package: &Path) {
+    let folder = package.join("dossier");
+    let source = package.join("src/lib.rs");
+    let sound = fs::read_to_string(&source).expect("the model");
+    let (text, good) = dossier_of(package, &[]).unwrap_or_else(|error| panic!("{error}"));
+    assert!(good, "{text}");
+    for check in
+        ["Tests of the package: ", "Rust, interpreter and C agree: ", "Coverage of the C: "]
+    {
+        assert!(text.contains(&format!("passed    {check}")), "{text}");
+    }
+    let page = fs::read_to_string(folder.join("index.html")).expect("the page");
+    for part in ["motor_step", "id=\"questions\"", "MC/DC", "closed"] {
+        assert!(page.contains(part), "the page has no {part}");
+    }
+    let here = package.to_string_lossy().into_owned();
+    for (name, bytes) in read(&folder) {
+        let text = String::from_utf8_lossy(&bytes).into_owned();
+        assert!(!text.contains(&here), "{name} names a folder of this machine");
+    }
+
+    // The same bytes again, in another folder.
+    dossier_of(package, &["--quick"]).unwrap_or_else(|error| panic!("{error}"));
+    dossier_of(package, &["--quick", "--output", "again"])
+        .unwrap_or_else(|error| panic!("{error}"));
+    let again = package.join("again");
+    assert_eq!(read(&folder), read(&again));
+    fs::remove_dir_all(&again).expect("the second");
+
+    let check = |folder: &Path| dossier_of(package, &["--check", &folder.to_string_lossy()]);
+    let (text, same) = check(&folder).unwrap_or_else(|error| panic!("{error}"));
+    assert!(same && text.starts_with("the dossier is of these sources: "), "{text}");
+    fs::write(folder.join("index.html"), "").expect("a page");
+    fs::write(&source, format!("{sound}\n// More.\n")).expect("the model");
+    let (text, same) = check(&folder).unwrap_or_else(|error| panic!("{error}"));
+    assert!(!same, "{text}");
+    assert!(
+        text.contains("source: `motor/src/lib.rs` was changed")
+            || text.contains("source: `src/lib.rs` was changed"),
+        "{text}"
+    );
+    assert!(text.contains("dossier: `index.html` was changed"), "{text}");
+    fs::write(&source, &sound).expect("the model");
+
+    // C that was edited: nothing is written.
+    let c = package.join("generated/motor.c");
+    let whole = fs::read_to_string(&c).expect("the C");
+    fs::write(&c, format!("{whole}\n")).expect("the C");
+    let error = dossier_of(package, &["--quick", "--output", "other"]).expect_err("edited C");
+    assert!(
+        error.to_string().ends_with("is not what the models give: `motor.c` differs"),
+        "{error}"
+    );
+    assert!(!package.join("other").exists());
+    fs::write(&c, whole).expect("the C");
+    fs::remove_dir_all(&folder).expect("the dossier");
+    since(package);
+}
+
+/// Changes since a version of a repository.
+fn since(package: &Path) {
+    let root = package.parent().expect("the workspace");
+    let name = package.file_name().expect("a name").to_string_lossy().into_owned();
+    let git = |words: &[&str]| {
+        let mut git = Command::new("git");
+        git.args(["-c", "user.name=a", "-c", "user.email=a@b"]).args(words).current_dir(root);
+        assert!(git.output().expect("git").status.success(), "{words:?}");
+    };
+    git(&["init", "--quiet", "."]);
+    git(&[
+        "add",
+        "--force",
+        &format!("{name}/src"),
+        &format!("{name}/generated"),
+        &format!("{name}/bessemer.toml"),
+    ]);
+    git(&["commit", "--quiet", "--message", "a"]);
+    git(&["tag", "v1"]);
+    let words = ["--quick", "--since", "v1"];
+    dossier_of(package, &words).unwrap_or_else(|error| panic!("{error}"));
+    let page = fs::read_to_string(package.join("dossier/index.html")).expect("the page");
+    assert!(page.contains("Since <code>v1</code>: 0 parts of the C changed"), "nothing changed");
+    let error = dossier_of(package, &["--quick", "--since", "v9"]).expect_err("no such tag");
+    assert_eq!(error.to_string(), "git knows no version `v9`: it is no tag, branch or commit");
+    fs::remove_dir_all(package.join("dossier")).expect("the dossier");
+    fs::remove_dir_all(root.join(".git")).expect("the repository");
+}
