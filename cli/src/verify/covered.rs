@@ -77,7 +77,7 @@ pub fn covered(
         Ok(calls)
     };
     let calls = add(&mut seen, &Inputs::Made { seed: 0 })?;
-    names.push(format!("{calls} calls with edge values and small numbers (as `verify`)"));
+    names.push(format!("{calls} calls with edge values and small numbers, as of verify"));
     for (entry, path) in &sources.recordings {
         let inputs = recorded(project, compiled, path, Some(entry.as_str()))?;
         let calls = add(&mut seen, &inputs)?;
@@ -91,7 +91,7 @@ pub fn covered(
         of_tests += add(&mut seen, &Inputs::Recorded { entry, calls, notes: Vec::new() })?;
     }
     if of_tests > 0 {
-        names.push(format!("{of_tests} calls of tests (`same_bits`)"));
+        names.push(format!("{of_tests} calls of tests by same_bits"));
     }
     let pairs = |seen: &Seen| {
         let counts = coverage::report(&done, seen, folder, Vec::new()).counts;
@@ -106,7 +106,7 @@ pub fn covered(
         best = now;
     }
     if tried > 0 {
-        names.push(format!("{tried} further seeds (`--fill`)"));
+        names.push(format!("{tried} further seeds of --fill"));
     }
     Ok(coverage::report(&done, &seen, folder, names))
 }

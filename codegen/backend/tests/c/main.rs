@@ -48,7 +48,7 @@ fn show(module: &Module, files: &[CFile]) -> String {
     for file in files {
         let _ = writeln!(text, "======== {}\n{}", file.name, file.text);
     }
-    for entry in Plan::new(module, &Options::default()).report(files) {
+    for entry in Plan::new(module, &Options::default()).report(files).0 {
         let _ = writeln!(text, "{entry:?}");
     }
     text
