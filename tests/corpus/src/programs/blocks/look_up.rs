@@ -22,7 +22,7 @@ pub struct Ignition {
 #[component]
 impl Ignition {
     /// Returns the advance, °.
-    #[entry(infallible, single)]
+    #[entry(infallible)]
     pub fn step(&mut self, speed: f32, load: f32) -> f32 {
         let row = self.speed.place(&SPEEDS, speed, Beyond::Hold);
         interpolated_2d(&ADVANCE, row, LOADS.place(load, Beyond::Hold))

@@ -18,14 +18,14 @@ pub struct Converter {
 #[component]
 impl Converter {
     /// Takes one sample; returns a value for one in four.
-    #[entry(infallible, single)]
+    #[entry(infallible)]
     pub fn step(&mut self, sample: f32) -> Option<f32> {
         let smooth = self.fir.step(&TAPS, sample);
         self.decimator.step(&TAPS, 4, smooth)
     }
 
     /// Takes one sample; returns mean and variance of the last eight.
-    #[entry(infallible, single)]
+    #[entry(infallible)]
     pub fn noise(&mut self, sample: f32) -> Spread<f32> {
         self.noise.spread(sample)
     }
