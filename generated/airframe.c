@@ -14,6 +14,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
 #include "sine.h"
@@ -64,7 +65,7 @@ void airframe_for_each(uint64_t count, double value, double all[AIRFRAME_MAX_MOT
     }
 }
 
-void airframe_spins(const airframe_t *self, double spins[AIRFRAME_MAX_MOTORS])
+void airframe_spins(const airframe_t *self, double spins[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS])
 {
     airframe_for_each(self->motors, 1.0, spins);
     for (uint32_t n = 0U; n < AIRFRAME_MAX_MOTORS; n++) {
@@ -74,7 +75,8 @@ void airframe_spins(const airframe_t *self, double spins[AIRFRAME_MAX_MOTORS])
     }
 }
 
-void airframe_thrust_factors(const airframe_t *self, double result[AIRFRAME_MAX_MOTORS])
+void airframe_thrust_factors(const airframe_t *self,
+    double result[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS])
 {
     const double area = self->disc_area * self->propeller_radius * self->propeller_radius;
     const double result_product = self->air_density * area;
@@ -83,7 +85,8 @@ void airframe_thrust_factors(const airframe_t *self, double result[AIRFRAME_MAX_
     }
 }
 
-void airframe_drag_factors(const airframe_t *self, double result[AIRFRAME_MAX_MOTORS])
+void airframe_drag_factors(const airframe_t *self,
+    double result[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS])
 {
     const double radius = self->propeller_radius;
     const double volume = self->disc_area * radius * radius * radius;
@@ -93,7 +96,8 @@ void airframe_drag_factors(const airframe_t *self, double result[AIRFRAME_MAX_MO
     }
 }
 
-void airframe_effectiveness(const airframe_t *self, double effect[4U * AIRFRAME_MAX_MOTORS])
+void airframe_effectiveness(const airframe_t *self,
+    double effect[BESSEMER_RESTRICT 4U * AIRFRAME_MAX_MOTORS])
 {
     double thrust[AIRFRAME_MAX_MOTORS];
     airframe_thrust_factors(self, thrust);
@@ -113,7 +117,8 @@ void airframe_effectiveness(const airframe_t *self, double effect[4U * AIRFRAME_
     }
 }
 
-void airframe_allocation(const airframe_t *self, double share[AIRFRAME_MAX_MOTORS * 4U])
+void airframe_allocation(const airframe_t *self,
+    double share[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS * 4U])
 {
     double thrust[AIRFRAME_MAX_MOTORS];
     airframe_thrust_factors(self, thrust);

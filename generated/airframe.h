@@ -8,14 +8,15 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef AIRFRAME_H
 #define AIRFRAME_H
 
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 
 #ifdef __cplusplus
@@ -78,13 +79,15 @@ void airframe_hexacopter(airframe_t *airframe);
 void airframe_for_each(uint64_t count, double value, double all[AIRFRAME_MAX_MOTORS]);
 
 /** Direction in which each motor turns, 1 or −1: neighbours turn against each other. */
-void airframe_spins(const airframe_t *self, double spins[AIRFRAME_MAX_MOTORS]);
+void airframe_spins(const airframe_t *self, double spins[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS]);
 
 /** Thrust of each propeller per square of its speed (thesis, eq. (2.31)), N·s²/rad². */
-void airframe_thrust_factors(const airframe_t *self, double result[AIRFRAME_MAX_MOTORS]);
+void airframe_thrust_factors(const airframe_t *self,
+    double result[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS]);
 
 /** Drag moment of each propeller per square of its speed (thesis, eq. (2.32)), N·m·s²/rad². */
-void airframe_drag_factors(const airframe_t *self, double result[AIRFRAME_MAX_MOTORS]);
+void airframe_drag_factors(const airframe_t *self,
+    double result[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS]);
 
 /**
  * Thrust and torques from the squares of the motor speeds (thesis, eq. (2.49)).
@@ -95,7 +98,8 @@ void airframe_drag_factors(const airframe_t *self, double result[AIRFRAME_MAX_MO
  *
  * `effect` by columns: [row + 4 * column].
  */
-void airframe_effectiveness(const airframe_t *self, double effect[4U * AIRFRAME_MAX_MOTORS]);
+void airframe_effectiveness(const airframe_t *self,
+    double effect[BESSEMER_RESTRICT 4U * AIRFRAME_MAX_MOTORS]);
 
 /**
  * Squares of the motor speeds from thrust and torques: the inverse of
@@ -107,7 +111,8 @@ void airframe_effectiveness(const airframe_t *self, double effect[4U * AIRFRAME_
  *
  * `share` by columns: [row + 8 * column].
  */
-void airframe_allocation(const airframe_t *self, double share[AIRFRAME_MAX_MOTORS * 4U]);
+void airframe_allocation(const airframe_t *self,
+    double share[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS * 4U]);
 
 /** Angle of arm `n` of `count`, counted from 0 (thesis, eq. (2.2)), rad. */
 double airframe_arm_angle(layout_t layout, uint64_t count, uint64_t n);

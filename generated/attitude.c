@@ -13,6 +13,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "parameters.h"
@@ -29,8 +30,9 @@ void attitude_init(attitude_t *self)
     self->integral[2] = 0.0;
 }
 
-void attitude_step(attitude_t *self, const parameters_t *parameters, const double error[3],
-    const double error_rate[3], bool grounded, double result[3])
+void attitude_step(attitude_t *BESSEMER_RESTRICT self, const parameters_t *parameters,
+    const double error[3], const double error_rate[3], bool grounded,
+    double result[BESSEMER_RESTRICT 3])
 {
     const double integral[3] = {self->integral[0], self->integral[1], self->integral[2]};
     if (!grounded) {

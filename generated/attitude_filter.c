@@ -15,13 +15,14 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 #include "covariance.h"
 #include "geometry.h"
 #include "product_f64_6x6_6x1.h"
 
 static void attitude_filter_advance(const orientation_t *orientation, const double rates[3],
-    double period, double advance[36]);
+    double period, double advance[BESSEMER_RESTRICT 36]);
 
 void attitude_filter_level(double angle, double bias, attitude_filter_t *attitude_filter)
 {
@@ -40,8 +41,8 @@ void attitude_filter_level(double angle, double bias, attitude_filter_t *attitud
     attitude_filter->bias[2] = 0.0;
 }
 
-void attitude_filter_predict(attitude_filter_t *self, const double measured[3], double period,
-    double noise, double drift, double work[180])
+void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const double measured[3],
+    double period, double noise, double drift, double work[BESSEMER_RESTRICT 180])
 {
     orientation_t orientation;
     orientation_of(self->angles, &orientation);
@@ -71,8 +72,9 @@ void attitude_filter_predict(attitude_filter_t *self, const double measured[3], 
     (void)memcpy(self->covariance, covariance_next, sizeof(double[36]));
 }
 
-bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const double moves[6],
-    double innovation, double variance, double gate, double work[144])
+bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, const double row[6],
+    const double moves[6], double innovation, double variance, double gate,
+    double work[BESSEMER_RESTRICT 144])
 {
     double spread[6];
     product_f64_6x6_6x1(self->covariance, row, spread);
@@ -107,7 +109,7 @@ bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const
  * `advance` by columns: [row + 6 * column].
  */
 static void attitude_filter_advance(const orientation_t *orientation, const double rates[3],
-    double period, double advance[36])
+    double period, double advance[BESSEMER_RESTRICT 36])
 {
     const double c2 = orientation_divisor(orientation);
     const double along = orientation->c3 * rates[0] + orientation->s3 * rates[1];

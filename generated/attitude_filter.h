@@ -8,13 +8,15 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef ATTITUDE_FILTER_H
 #define ATTITUDE_FILTER_H
 
 #include <stdbool.h>
+
+#include "bessemer_calls.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -41,8 +43,8 @@ void attitude_filter_level(double angle, double bias, attitude_filter_t *attitud
  * `drift`, rad/s in a second.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-void attitude_filter_predict(attitude_filter_t *self, const double measured[3], double period,
-    double noise, double drift, double work[180]);
+void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const double measured[3],
+    double period, double noise, double drift, double work[BESSEMER_RESTRICT 180]);
 
 /**
  * Corrects the state by a measurement of the angle that `row` selects: `innovation` is measured minus estimated.
@@ -53,8 +55,9 @@ void attitude_filter_predict(attitude_filter_t *self, const double measured[3], 
  * for any gain.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const double moves[6],
-    double innovation, double variance, double gate, double work[144]);
+bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, const double row[6],
+    const double moves[6], double innovation, double variance, double gate,
+    double work[BESSEMER_RESTRICT 144]);
 
 #ifdef __cplusplus
 }

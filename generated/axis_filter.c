@@ -15,6 +15,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 #include "covariance.h"
 
@@ -56,8 +57,8 @@ void axis_filter_inflate(axis_filter_t *self)
     self->covariance[1 + 3 * 1] += 0.25;
 }
 
-bool axis_filter_correct(axis_filter_t *self, const double row[3], double measured, double variance,
-    double gate)
+bool axis_filter_correct(axis_filter_t *BESSEMER_RESTRICT self, const double row[3],
+    double measured, double variance, double gate)
 {
     const double innovation = measured
         - (row[0] * self->state[0] + row[1] * self->state[1] + row[2] * self->state[2]);

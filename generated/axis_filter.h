@@ -8,13 +8,15 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef AXIS_FILTER_H
 #define AXIS_FILTER_H
 
 #include <stdbool.h>
+
+#include "bessemer_calls.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -51,8 +53,8 @@ void axis_filter_inflate(axis_filter_t *self);
  * Corrects the state by a measurement of `row` · state with the passed variance. The measurement is rejected, and
  * nothing changes, if the innovation exceeds `gate` standard deviations or is not a number.
  */
-bool axis_filter_correct(axis_filter_t *self, const double row[3], double measured, double variance,
-    double gate);
+bool axis_filter_correct(axis_filter_t *BESSEMER_RESTRICT self, const double row[3],
+    double measured, double variance, double gate);
 
 #ifdef __cplusplus
 }

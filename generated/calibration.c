@@ -14,12 +14,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 
 /** Largest count of a 16-bit sensor: a reading of this count is saturated. */
 static const int16_t FULL_SCALE = INT16_MAX;
 
-static void calibration_vector(const int16_t counts[3], double result[3]);
+static void calibration_vector(const int16_t counts[3], double result[BESSEMER_RESTRICT 3]);
 static bool calibration_within(const int16_t counts[3]);
 static bool calibration_inside(int16_t count);
 
@@ -38,7 +39,7 @@ void calibration_mambo(calibration_t *calibration)
 }
 
 void calibration_measured(const calibration_t *self, const readings_t *readings,
-    measured_t *measured)
+    measured_t *BESSEMER_RESTRICT measured)
 {
     const inertial_t *const inertial = &readings->inertial;
     const flow_t flow = readings->flow;
@@ -77,7 +78,7 @@ void calibration_measured(const calibration_t *self, const readings_t *readings,
 }
 
 /** Returns three counts as a vector. */
-static void calibration_vector(const int16_t counts[3], double result[3])
+static void calibration_vector(const int16_t counts[3], double result[BESSEMER_RESTRICT 3])
 {
     result[0] = (double)counts[0];
     result[1] = (double)counts[1];

@@ -8,14 +8,16 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef CALIBRATION_H
 #define CALIBRATION_H
 
 #include <stdbool.h>
 #include <stdint.h>
+
+#include "bessemer_calls.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -112,7 +114,7 @@ void calibration_mambo(calibration_t *calibration);
 
 /** Converts the readings of one period to physical units. */
 void calibration_measured(const calibration_t *self, const readings_t *readings,
-    measured_t *measured);
+    measured_t *BESSEMER_RESTRICT measured);
 
 #ifdef __cplusplus
 }

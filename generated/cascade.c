@@ -14,6 +14,7 @@
 #include <stdint.h>
 
 #include "attitude.h"
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 #include "geometry.h"
 #include "height.h"
@@ -25,8 +26,8 @@ void cascade_init(cascade_t *self)
     attitude_init(&self->attitude);
 }
 
-void cascade_step(cascade_t *self, const parameters_t *parameters, const estimate_t *estimate,
-    const target_t *target, wrench_t *wrench)
+void cascade_step(cascade_t *BESSEMER_RESTRICT self, const parameters_t *parameters,
+    const estimate_t *estimate, const target_t *target, wrench_t *BESSEMER_RESTRICT wrench)
 {
     orientation_t orientation;
     orientation_of(estimate->angles, &orientation);

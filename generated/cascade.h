@@ -8,14 +8,15 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef CASCADE_H
 #define CASCADE_H
 
 #include "airframe.h"
 #include "attitude.h"
+#include "bessemer_calls.h"
 #include "height.h"
 #include "parameters.h"
 #include "signals.h"
@@ -35,9 +36,14 @@ typedef struct {
 /** Sets the initial state; call it before anything else. */
 void cascade_init(cascade_t *self);
 
-/** Advances one control period and returns the commanded thrust and torques. */
-void cascade_step(cascade_t *self, const parameters_t *parameters, const estimate_t *estimate,
-    const target_t *target, wrench_t *wrench);
+/**
+ * Advances one control period and returns the commanded thrust and torques.
+ * No enum is checked, since no status is returned.
+ * A value that is no enumerator takes the last case of each switch.
+ * Elsewhere it counts as the last enumerator: `parameters.candidate` as `CANDIDATE_GEOMETRIC`.
+ */
+void cascade_step(cascade_t *BESSEMER_RESTRICT self, const parameters_t *parameters,
+    const estimate_t *estimate, const target_t *target, wrench_t *BESSEMER_RESTRICT wrench);
 
 #ifdef __cplusplus
 }

@@ -14,6 +14,7 @@
 #include <stdint.h>
 
 #include "airframe.h"
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 #include "cascade.h"
 #include "geometric.h"
@@ -22,8 +23,9 @@
 #include "signals.h"
 #include "touch_down.h"
 
-static void controller_candidate(controller_t *self, const parameters_t *parameters,
-    const estimate_t *estimate, const target_t *target, wrench_t *wrench);
+static void controller_candidate(controller_t *BESSEMER_RESTRICT self,
+    const parameters_t *parameters, const estimate_t *estimate, const target_t *target,
+    wrench_t *BESSEMER_RESTRICT wrench);
 
 void controller_init(controller_t *self)
 {
@@ -32,8 +34,9 @@ void controller_init(controller_t *self)
     touch_down_init(&self->touch_down);
 }
 
-void controller_step(controller_t *self, const parameters_t *parameters, const estimate_t *estimate,
-    const target_t *target, const double feed_forward[AIRFRAME_MAX_MOTORS], command_t *command)
+void controller_step(controller_t *BESSEMER_RESTRICT self, const parameters_t *parameters,
+    const estimate_t *estimate, const target_t *target,
+    const double feed_forward[AIRFRAME_MAX_MOTORS], command_t *BESSEMER_RESTRICT command)
 {
     if (touch_down_step(&self->touch_down, parameters->period, target, estimate)) {
         command_still(command);
@@ -45,8 +48,9 @@ void controller_step(controller_t *self, const parameters_t *parameters, const e
 }
 
 /** Returns the wrench requested by the selected control law. */
-static void controller_candidate(controller_t *self, const parameters_t *parameters,
-    const estimate_t *estimate, const target_t *target, wrench_t *wrench)
+static void controller_candidate(controller_t *BESSEMER_RESTRICT self,
+    const parameters_t *parameters, const estimate_t *estimate, const target_t *target,
+    wrench_t *BESSEMER_RESTRICT wrench)
 {
     switch (parameters->candidate) {
     case CANDIDATE_CASCADE:

@@ -8,12 +8,13 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef CONTROLLER_H
 #define CONTROLLER_H
 
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 #include "cascade.h"
 #include "parameters.h"
@@ -40,9 +41,13 @@ void controller_init(controller_t *self);
 
 /**
  * Advances one control period and returns the command to each motor, added to the feed-forward speeds, rad/s.
+ * No enum is checked, since no status is returned.
+ * A value that is no enumerator takes the last case of each switch.
+ * Elsewhere it counts as the last enumerator: `parameters.candidate` as `CANDIDATE_GEOMETRIC`.
  */
-void controller_step(controller_t *self, const parameters_t *parameters, const estimate_t *estimate,
-    const target_t *target, const double feed_forward[AIRFRAME_MAX_MOTORS], command_t *command);
+void controller_step(controller_t *BESSEMER_RESTRICT self, const parameters_t *parameters,
+    const estimate_t *estimate, const target_t *target,
+    const double feed_forward[AIRFRAME_MAX_MOTORS], command_t *BESSEMER_RESTRICT command);
 
 #ifdef __cplusplus
 }

@@ -14,16 +14,17 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 #include "product_f64_3x3_3x3.h"
 #include "product_f64_6x6_6x6.h"
 #include "product_tr_f64_3x3_3x3.h"
 #include "product_tr_f64_6x6_6x6.h"
 
-static void covariance_symmetric_3(const double matrix[9], double result[9]);
-static void covariance_symmetric_6(const double matrix[36], double result[36]);
+static void covariance_symmetric_3(const double matrix[9], double result[BESSEMER_RESTRICT 9]);
+static void covariance_symmetric_6(const double matrix[36], double result[BESSEMER_RESTRICT 36]);
 
-void covariance_diagonal_3(const double values[3], double all[9])
+void covariance_diagonal_3(const double values[3], double all[BESSEMER_RESTRICT 9])
 {
     for (uint32_t i = 0U; i < 9U; i++) {
         all[i] = 0.0;
@@ -33,7 +34,7 @@ void covariance_diagonal_3(const double values[3], double all[9])
     }
 }
 
-void covariance_diagonal_6(const double values[6], double all[36])
+void covariance_diagonal_6(const double values[6], double all[BESSEMER_RESTRICT 36])
 {
     for (uint32_t i = 0U; i < 36U; i++) {
         all[i] = 0.0;
@@ -44,7 +45,7 @@ void covariance_diagonal_6(const double values[6], double all[36])
 }
 
 void covariance_grown_3(const double covariance[9], const double advance[9], const double growth[9],
-    double result[9])
+    double result[BESSEMER_RESTRICT 9])
 {
     double result_product[9];
     product_f64_3x3_3x3(advance, covariance, result_product);
@@ -58,7 +59,8 @@ void covariance_grown_3(const double covariance[9], const double advance[9], con
 }
 
 void covariance_grown_6(const double covariance[36], const double advance[36],
-    const double growth[36], double work[72], double result[36])
+    const double growth[36], double work[BESSEMER_RESTRICT 72],
+    double result[BESSEMER_RESTRICT 36])
 {
     double *const result_product = work;
     product_f64_6x6_6x6(advance, covariance, result_product);
@@ -72,7 +74,7 @@ void covariance_grown_6(const double covariance[36], const double advance[36],
 }
 
 void covariance_corrected_3(const double covariance[9], const double row[3], const double gain[3],
-    double variance, double result[9])
+    double variance, double result[BESSEMER_RESTRICT 9])
 {
     static const double kept_matrix[9] = {
         1.0, 0.0, 0.0,
@@ -101,7 +103,7 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
 }
 
 void covariance_corrected_6(const double covariance[36], const double row[6], const double gain[6],
-    double variance, double work[108], double result[36])
+    double variance, double work[BESSEMER_RESTRICT 108], double result[BESSEMER_RESTRICT 36])
 {
     static const double kept_matrix[36] = {
         1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
@@ -137,7 +139,7 @@ void covariance_corrected_6(const double covariance[36], const double row[6], co
  *
  * `matrix`, `result` by columns: [row + 3 * column].
  */
-static void covariance_symmetric_3(const double matrix[9], double result[9])
+static void covariance_symmetric_3(const double matrix[9], double result[BESSEMER_RESTRICT 9])
 {
     for (uint32_t column = 0U; column < 3U; column++) {
         for (uint32_t row = 0U; row < 3U; row++) {
@@ -152,7 +154,7 @@ static void covariance_symmetric_3(const double matrix[9], double result[9])
  *
  * `matrix`, `result` by columns: [row + 6 * column].
  */
-static void covariance_symmetric_6(const double matrix[36], double result[36])
+static void covariance_symmetric_6(const double matrix[36], double result[BESSEMER_RESTRICT 36])
 {
     for (uint32_t column = 0U; column < 6U; column++) {
         for (uint32_t row = 0U; row < 6U; row++) {

@@ -9,11 +9,13 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef COVARIANCE_H
 #define COVARIANCE_H
+
+#include "bessemer_calls.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -24,14 +26,14 @@ extern "C" {
  *
  * `all` by columns: [row + 3 * column].
  */
-void covariance_diagonal_3(const double values[3], double all[9]);
+void covariance_diagonal_3(const double values[3], double all[BESSEMER_RESTRICT 9]);
 
 /**
  * Returns the diagonal matrix of the values.
  *
  * `all` by columns: [row + 6 * column].
  */
-void covariance_diagonal_6(const double values[6], double all[36]);
+void covariance_diagonal_6(const double values[6], double all[BESSEMER_RESTRICT 36]);
 
 /**
  * Propagates a covariance by the Jacobian `advance` and adds the process noise `growth`.
@@ -39,7 +41,7 @@ void covariance_diagonal_6(const double values[6], double all[36]);
  * `covariance`, `advance`, `growth`, `result` by columns: [row + 3 * column].
  */
 void covariance_grown_3(const double covariance[9], const double advance[9], const double growth[9],
-    double result[9]);
+    double result[BESSEMER_RESTRICT 9]);
 
 /**
  * Propagates a covariance by the Jacobian `advance` and adds the process noise `growth`.
@@ -48,7 +50,8 @@ void covariance_grown_3(const double covariance[9], const double advance[9], con
  * `covariance`, `advance`, `growth`, `result` by columns: [row + 6 * column].
  */
 void covariance_grown_6(const double covariance[36], const double advance[36],
-    const double growth[36], double work[72], double result[36]);
+    const double growth[36], double work[BESSEMER_RESTRICT 72],
+    double result[BESSEMER_RESTRICT 36]);
 
 /**
  * Corrects a covariance by a scalar measurement, in Joseph's form: (I − K h) P (I − K h)ᵀ + K r Kᵀ. `row` is h, `gain`
@@ -57,7 +60,7 @@ void covariance_grown_6(const double covariance[36], const double advance[36],
  * `covariance`, `result` by columns: [row + 3 * column].
  */
 void covariance_corrected_3(const double covariance[9], const double row[3], const double gain[3],
-    double variance, double result[9]);
+    double variance, double result[BESSEMER_RESTRICT 9]);
 
 /**
  * Corrects a covariance by a scalar measurement, in Joseph's form: (I − K h) P (I − K h)ᵀ + K r Kᵀ. `row` is h, `gain`
@@ -67,7 +70,7 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
  * `covariance`, `result` by columns: [row + 6 * column].
  */
 void covariance_corrected_6(const double covariance[36], const double row[6], const double gain[6],
-    double variance, double work[108], double result[36]);
+    double variance, double work[BESSEMER_RESTRICT 108], double result[BESSEMER_RESTRICT 36]);
 
 #ifdef __cplusplus
 }

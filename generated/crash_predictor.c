@@ -15,6 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
@@ -57,8 +58,8 @@ void crash_predictor_init(crash_predictor_t *self)
     self->violations = 0U;
 }
 
-alarm_t crash_predictor_step(crash_predictor_t *self, const limits_t *limits, bool flying,
-    const estimate_t *estimate, const ages_t *ages, double climb)
+alarm_t crash_predictor_step(crash_predictor_t *BESSEMER_RESTRICT self, const limits_t *limits,
+    bool flying, const estimate_t *estimate, const ages_t *ages, double climb)
 {
     if (flying && limits->armed && self->alarm == ALARM_CLEAR) {
         const alarm_t found = crash_predictor_find(limits, estimate, ages, climb);

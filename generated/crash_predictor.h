@@ -9,8 +9,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef CRASH_PREDICTOR_H
 #define CRASH_PREDICTOR_H
@@ -18,6 +18,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "estimator.h"
 #include "signals.h"
 
@@ -97,10 +98,15 @@ void crash_predictor_init(crash_predictor_t *self);
  * Checks the limits for one period and returns the alarm. Only a flying aircraft is checked. `climb` is the
  * vertical acceleration, m/s².
  */
-alarm_t crash_predictor_step(crash_predictor_t *self, const limits_t *limits, bool flying,
-    const estimate_t *estimate, const ages_t *ages, double climb);
+alarm_t crash_predictor_step(crash_predictor_t *BESSEMER_RESTRICT self, const limits_t *limits,
+    bool flying, const estimate_t *estimate, const ages_t *ages, double climb);
 
-/** Raises an alarm that does not depend on the state. */
+/**
+ * Raises an alarm that does not depend on the state.
+ * No enum is checked, since no status is returned.
+ * A value that is no enumerator takes the last case of each switch.
+ * Elsewhere it counts as the last enumerator: `alarm` as `ALARM_IMPACT`.
+ */
 void crash_predictor_raise(crash_predictor_t *self, alarm_t alarm);
 
 #ifdef __cplusplus

@@ -26,6 +26,7 @@
 #include "arctangent.h"
 #include "attitude_filter.h"
 #include "axis_filter.h"
+#include "bessemer_calls.h"
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
@@ -78,31 +79,35 @@ static const double RESET_TIMEOUT = 0.8;
 static const double VICON_RESET_TIMEOUT = 0.25;
 
 static void estimator_advance_ages(estimator_t *self, double period);
-static void estimator_read_inertial(estimator_t *self, const sensors_t *sensors,
+static void estimator_read_inertial(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
     const push_t *commanded, const measured_t *measured);
 static double estimator_reset_timeout(const estimator_t *self);
-static void estimator_advance(estimator_t *self, const sensors_t *sensors, double work[180]);
-static void estimator_correct_by_vicon(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, double work[144]);
-static bool estimator_correct_angles(estimator_t *self, const sensors_t *sensors,
-    const double angles[3], double work[144]);
-static bool estimator_correct_position(estimator_t *self, const sensors_t *sensors,
-    const double place[3]);
+static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
+    double work[BESSEMER_RESTRICT 180]);
+static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
+    const sensors_t *sensors, const measured_t *measured, double work[BESSEMER_RESTRICT 144]);
+static bool estimator_correct_angles(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
+    const double angles[3], double work[BESSEMER_RESTRICT 144]);
+static bool estimator_correct_position(estimator_t *BESSEMER_RESTRICT self,
+    const sensors_t *sensors, const double place[3]);
 static void estimator_inflate_covariance(estimator_t *self);
-static void estimator_correct_without_vicon(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, bool echo_is_new, bool flow_is_new, double work[144]);
-static bool estimator_correct_height(estimator_t *self, const sensors_t *sensors, double distance,
-    const orientation_t *orientation);
-static bool estimator_correct_velocity(estimator_t *self, const sensors_t *sensors,
-    const double flow[2], const orientation_t *orientation, double work[144]);
-static void estimator_tilt_from_force(estimator_t *self, const sensors_t *sensors,
-    double work[144]);
-static void estimator_tilt_from_acceleration(estimator_t *self, const sensors_t *sensors,
-    const double acceleration[3], double work[144]);
-static void estimator_correct_tilt(estimator_t *self, double roll, double pitch, double variance,
-    double gate, double work[144]);
-static void estimator_velocity(const estimator_t *self, double result[3]);
-static void estimator_state(estimator_t *self, const sensors_t *sensors, estimate_t *estimate);
+static void estimator_correct_without_vicon(estimator_t *BESSEMER_RESTRICT self,
+    const sensors_t *sensors, const measured_t *measured, bool echo_is_new, bool flow_is_new,
+    double work[BESSEMER_RESTRICT 144]);
+static bool estimator_correct_height(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
+    double distance, const orientation_t *orientation);
+static bool estimator_correct_velocity(estimator_t *BESSEMER_RESTRICT self,
+    const sensors_t *sensors, const double flow[2], const orientation_t *orientation,
+    double work[BESSEMER_RESTRICT 144]);
+static void estimator_tilt_from_force(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
+    double work[BESSEMER_RESTRICT 144]);
+static void estimator_tilt_from_acceleration(estimator_t *BESSEMER_RESTRICT self,
+    const sensors_t *sensors, const double acceleration[3], double work[BESSEMER_RESTRICT 144]);
+static void estimator_correct_tilt(estimator_t *BESSEMER_RESTRICT self, double roll, double pitch,
+    double variance, double gate, double work[BESSEMER_RESTRICT 144]);
+static void estimator_velocity(const estimator_t *self, double result[BESSEMER_RESTRICT 3]);
+static void estimator_state(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
+    estimate_t *BESSEMER_RESTRICT estimate);
 
 void sensors_mambo(sensors_t *sensors)
 {
@@ -184,8 +189,9 @@ void estimator_init(estimator_t *self)
     self->outliers = 0U;
 }
 
-void estimator_step(estimator_t *self, const sensors_t *sensors, const push_t *commanded,
-    const measured_t *measured, estimator_step_work_t *work, estimate_t *estimate)
+void estimator_step(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
+    const push_t *commanded, const measured_t *measured,
+    estimator_step_work_t *BESSEMER_RESTRICT work, estimate_t *BESSEMER_RESTRICT estimate)
 {
     estimator_advance_ages(self, sensors->period);
     estimator_read_inertial(self, sensors, commanded, measured);
@@ -221,7 +227,7 @@ static void estimator_advance_ages(estimator_t *self, double period)
 }
 
 /** Reads the inertial sensors, and substitutes predictions for missing readings. */
-static void estimator_read_inertial(estimator_t *self, const sensors_t *sensors,
+static void estimator_read_inertial(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
     const push_t *commanded, const measured_t *measured)
 {
     expectation_step(&self->expectation, sensors->period, commanded);
@@ -274,7 +280,8 @@ static double estimator_reset_timeout(const estimator_t *self)
  * Predicts the state over one period.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-static void estimator_advance(estimator_t *self, const sensors_t *sensors, double work[180])
+static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
+    double work[BESSEMER_RESTRICT 180])
 {
     double noise[2] = {sensors->gyroscope[0], sensors->gyroscope[1]};
     if (estimator_gyro_lost(self)) {
@@ -329,8 +336,8 @@ static void estimator_advance(estimator_t *self, const sensors_t *sensors, doubl
  * Corrects the state by Vicon's reading, if it is plausible.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-static void estimator_correct_by_vicon(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, double work[144])
+static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
+    const sensors_t *sensors, const measured_t *measured, double work[BESSEMER_RESTRICT 144])
 {
     const vicon_t *const vicon = &measured->vicon;
     const double space[3] = {
@@ -364,8 +371,8 @@ static void estimator_correct_by_vicon(estimator_t *self, const sensors_t *senso
  * Corrects the attitude by Vicon's angles, one at a time; returns true if all were accepted.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-static bool estimator_correct_angles(estimator_t *self, const sensors_t *sensors,
-    const double angles[3], double work[144])
+static bool estimator_correct_angles(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
+    const double angles[3], double work[BESSEMER_RESTRICT 144])
 {
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
@@ -395,8 +402,8 @@ static bool estimator_correct_angles(estimator_t *self, const sensors_t *sensors
  * Corrects position and velocity by Vicon's position, axis by axis, allowing for its delay; returns true if all
  * were accepted.
  */
-static bool estimator_correct_position(estimator_t *self, const sensors_t *sensors,
-    const double place[3])
+static bool estimator_correct_position(estimator_t *BESSEMER_RESTRICT self,
+    const sensors_t *sensors, const double place[3])
 {
     const double row[3] = {1.0, -sensors->vicon_delay, 0.0};
     const double variance = sensors->vicon[0] * sensors->vicon[0];
@@ -423,8 +430,9 @@ static void estimator_inflate_covariance(estimator_t *self)
  * delivered.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-static void estimator_correct_without_vicon(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, bool echo_is_new, bool flow_is_new, double work[144])
+static void estimator_correct_without_vicon(estimator_t *BESSEMER_RESTRICT self,
+    const sensors_t *sensors, const measured_t *measured, bool echo_is_new, bool flow_is_new,
+    double work[BESSEMER_RESTRICT 144])
 {
     if (self->force_measured && !estimator_gyro_lost(self)) {
         estimator_tilt_from_force(self, sensors, work);
@@ -447,8 +455,8 @@ static void estimator_correct_without_vicon(estimator_t *self, const sensors_t *
 /**
  * Corrects the height by the altimeter's distance along the body's z, m; returns true if it was accepted.
  */
-static bool estimator_correct_height(estimator_t *self, const sensors_t *sensors, double distance,
-    const orientation_t *orientation)
+static bool estimator_correct_height(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
+    double distance, const orientation_t *orientation)
 {
     const double range[2] = {sensors->altimeter_range[0], sensors->altimeter_range[1]};
     const double upright = orientation->c1 * orientation->c2;
@@ -475,8 +483,9 @@ static bool estimator_correct_height(estimator_t *self, const sensors_t *sensors
  * accepted. The vertical velocity is the estimate.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-static bool estimator_correct_velocity(estimator_t *self, const sensors_t *sensors,
-    const double flow[2], const orientation_t *orientation, double work[144])
+static bool estimator_correct_velocity(estimator_t *BESSEMER_RESTRICT self,
+    const sensors_t *sensors, const double flow[2], const orientation_t *orientation,
+    double work[BESSEMER_RESTRICT 144])
 {
     double rotation[9];
     orientation_rotation(orientation, rotation);
@@ -535,7 +544,8 @@ static bool estimator_correct_velocity(estimator_t *self, const sensors_t *senso
  * hovers.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-static void estimator_tilt_from_force(estimator_t *self, const sensors_t *sensors, double work[144])
+static void estimator_tilt_from_force(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
+    double work[BESSEMER_RESTRICT 144])
 {
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
@@ -553,8 +563,8 @@ static void estimator_tilt_from_force(estimator_t *self, const sensors_t *sensor
  * gyroscope is lost.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-static void estimator_tilt_from_acceleration(estimator_t *self, const sensors_t *sensors,
-    const double acceleration[3], double work[144])
+static void estimator_tilt_from_acceleration(estimator_t *BESSEMER_RESTRICT self,
+    const sensors_t *sensors, const double acceleration[3], double work[BESSEMER_RESTRICT 144])
 {
     const double roll = arctangent_atan2(acceleration[1], AIRFRAME_GRAVITY);
     const double pitch = arctangent_atan2(-acceleration[0],
@@ -568,8 +578,8 @@ static void estimator_tilt_from_acceleration(estimator_t *self, const sensors_t 
  * Corrects roll and pitch by a measurement of both, rad. The yaw does not change.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-static void estimator_correct_tilt(estimator_t *self, double roll, double pitch, double variance,
-    double gate, double work[144])
+static void estimator_correct_tilt(estimator_t *BESSEMER_RESTRICT self, double roll, double pitch,
+    double variance, double gate, double work[BESSEMER_RESTRICT 144])
 {
     const double seen[2] = {roll, pitch};
     static const double moves[6] = {1.0, 1.0, 0.0, 1.0, 1.0, 0.0};
@@ -583,14 +593,14 @@ static void estimator_correct_tilt(estimator_t *self, double roll, double pitch,
 }
 
 /** Returns the velocity in the inertial frame, m/s. */
-static void estimator_velocity(const estimator_t *self, double result[3])
+static void estimator_velocity(const estimator_t *self, double result[BESSEMER_RESTRICT 3])
 {
     result[0] = self->axes[0].state[1];
     result[1] = self->axes[1].state[1];
     result[2] = self->axes[2].state[1];
 }
 
-void estimator_variances(const estimator_t *self, double variances[6])
+void estimator_variances(const estimator_t *self, double variances[BESSEMER_RESTRICT 6])
 {
     for (uint32_t n = 0U; n < 3U; n++) {
         variances[n] = self->axes[n].covariance[0 + 3 * 0];
@@ -599,7 +609,8 @@ void estimator_variances(const estimator_t *self, double variances[6])
 }
 
 /** Returns the estimate. */
-static void estimator_state(estimator_t *self, const sensors_t *sensors, estimate_t *estimate)
+static void estimator_state(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
+    estimate_t *BESSEMER_RESTRICT estimate)
 {
     const double rates[3] = {
         self->rates[0] - self->attitude.bias[0],

@@ -8,8 +8,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef ESTIMATOR_H
 #define ESTIMATOR_H
@@ -19,6 +19,7 @@
 
 #include "attitude_filter.h"
 #include "axis_filter.h"
+#include "bessemer_calls.h"
 #include "calibration.h"
 #include "expectation.h"
 #include "low_pass.h"
@@ -129,14 +130,15 @@ void estimator_init(estimator_t *self);
 /**
  * Advances one period from the measurements and the last motor commands, and returns the estimate.
  */
-void estimator_step(estimator_t *self, const sensors_t *sensors, const push_t *commanded,
-    const measured_t *measured, estimator_step_work_t *work, estimate_t *estimate);
+void estimator_step(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
+    const push_t *commanded, const measured_t *measured,
+    estimator_step_work_t *BESSEMER_RESTRICT work, estimate_t *BESSEMER_RESTRICT estimate);
 
 /** Returns true if the gyroscope is lost. */
 bool estimator_gyro_lost(const estimator_t *self);
 
 /** Returns the variances of the position, m², and of the angles, rad². */
-void estimator_variances(const estimator_t *self, double variances[6]);
+void estimator_variances(const estimator_t *self, double variances[BESSEMER_RESTRICT 6]);
 
 #ifdef __cplusplus
 }

@@ -14,6 +14,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 
 /** Response of the motors to a command: fraction of the difference per period. */
@@ -45,7 +46,7 @@ void expectation_init(expectation_t *self)
     self->force[2] = 0.0;
 }
 
-void expectation_step(expectation_t *self, double period, const push_t *commanded)
+void expectation_step(expectation_t *BESSEMER_RESTRICT self, double period, const push_t *commanded)
 {
     self->push.force += (commanded->force - self->push.force) * MOTOR_RESPONSE;
     self->push.turn[0] += (commanded->turn[0] - self->push.turn[0]) * MOTOR_RESPONSE;
@@ -56,7 +57,7 @@ void expectation_step(expectation_t *self, double period, const push_t *commande
     self->rates[2] += (self->push.turn[2] + self->turn[2] * self->push.force) * period;
 }
 
-void expectation_correct_rates(expectation_t *self, const double rates[3])
+void expectation_correct_rates(expectation_t *BESSEMER_RESTRICT self, const double rates[3])
 {
     const double residual[3] = {
         rates[0] - self->rates[0],
@@ -71,7 +72,7 @@ void expectation_correct_rates(expectation_t *self, const double rates[3])
     self->turn[2] += residual[2] * UNEXPLAINED_TURN_GAIN;
 }
 
-void expectation_correct_force(expectation_t *self, const double force[3])
+void expectation_correct_force(expectation_t *BESSEMER_RESTRICT self, const double force[3])
 {
     double residual_predicted_force[3];
     expectation_predicted_force(self, residual_predicted_force);
@@ -85,7 +86,7 @@ void expectation_correct_force(expectation_t *self, const double force[3])
     self->force[2] += residual[2] * UNEXPLAINED_FORCE_GAIN;
 }
 
-void expectation_predicted_force(const expectation_t *self, double result[3])
+void expectation_predicted_force(const expectation_t *self, double result[BESSEMER_RESTRICT 3])
 {
     const double result_vector[3] = {0.0, 0.0, self->push.force};
     result[0] = result_vector[0] + self->force[0];

@@ -8,11 +8,13 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef EXPECTATION_H
 #define EXPECTATION_H
+
+#include "bessemer_calls.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -45,16 +47,17 @@ typedef struct {
 void expectation_init(expectation_t *self);
 
 /** Advances one period under the last commands. */
-void expectation_step(expectation_t *self, double period, const push_t *commanded);
+void expectation_step(expectation_t *BESSEMER_RESTRICT self, double period,
+    const push_t *commanded);
 
 /** Corrects the prediction by the measured rates, rad/s. */
-void expectation_correct_rates(expectation_t *self, const double rates[3]);
+void expectation_correct_rates(expectation_t *BESSEMER_RESTRICT self, const double rates[3]);
 
 /** Corrects the prediction by the measured specific force, m/s². */
-void expectation_correct_force(expectation_t *self, const double force[3]);
+void expectation_correct_force(expectation_t *BESSEMER_RESTRICT self, const double force[3]);
 
 /** Returns the predicted specific force, m/s². */
-void expectation_predicted_force(const expectation_t *self, double result[3]);
+void expectation_predicted_force(const expectation_t *self, double result[BESSEMER_RESTRICT 3]);
 
 #ifdef __cplusplus
 }

@@ -18,6 +18,7 @@
 #include <stdint.h>
 
 #include "airframe.h"
+#include "bessemer_calls.h"
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
 #include "bessemer_sizes.h"
@@ -106,7 +107,7 @@ double injection_gain(const injection_t *self, double time)
 }
 
 void feed_forward_compensation(const airframe_t *airframe, const estimate_t *estimate,
-    double friction, double speeds[AIRFRAME_MAX_MOTORS])
+    double friction, double speeds[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS])
 {
     orientation_t orientation;
     orientation_of(estimate->angles, &orientation);

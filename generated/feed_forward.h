@@ -9,13 +9,14 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef FEED_FORWARD_H
 #define FEED_FORWARD_H
 
 #include "airframe.h"
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 #include "signals.h"
 
@@ -83,7 +84,7 @@ double injection_gain(const injection_t *self, double time);
  * `airframe` is the aircraft as it is believed to be: its coefficients are what the identification finds.
  */
 void feed_forward_compensation(const airframe_t *airframe, const estimate_t *estimate,
-    double friction, double speeds[AIRFRAME_MAX_MOTORS]);
+    double friction, double speeds[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS]);
 
 #ifdef __cplusplus
 }

@@ -16,6 +16,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
 #include "bessemer_sizes.h"
@@ -31,7 +32,8 @@ void gate_init(gate_t *self)
     self->refused.replayed = 0U;
 }
 
-void gate_step(gate_t *self, const siphash_key_t *key, const packet_t *packet, packet_t *result)
+void gate_step(gate_t *BESSEMER_RESTRICT self, const siphash_key_t *key, const packet_t *packet,
+    packet_t *BESSEMER_RESTRICT result)
 {
     if (!key->is_set) {
         *result = *packet;

@@ -8,14 +8,15 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef GATE_H
 #define GATE_H
 
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "packet.h"
 #include "siphash.h"
 
@@ -47,7 +48,8 @@ void gate_init(gate_t *self);
 /**
  * Returns the packet without its seal, or no packet if it is rejected. Without a key each packet passes unchanged.
  */
-void gate_step(gate_t *self, const siphash_key_t *key, const packet_t *packet, packet_t *result);
+void gate_step(gate_t *BESSEMER_RESTRICT self, const siphash_key_t *key, const packet_t *packet,
+    packet_t *BESSEMER_RESTRICT result);
 
 #ifdef __cplusplus
 }

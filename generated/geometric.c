@@ -16,6 +16,7 @@
 #include <stdint.h>
 
 #include "arctangent.h"
+#include "bessemer_calls.h"
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
@@ -28,10 +29,10 @@
 static const double TILT_LIMIT = 0.6;
 
 static void geometric_wanted_force(const parameters_t *parameters, const estimate_t *estimate,
-    const target_t *target, double result[3]);
+    const target_t *target, double result[BESSEMER_RESTRICT 3]);
 
 void geometric_track(const parameters_t *parameters, const estimate_t *estimate,
-    const target_t *target, wrench_t *wrench)
+    const target_t *target, wrench_t *BESSEMER_RESTRICT wrench)
 {
     orientation_t rotation_self;
     orientation_of(estimate->angles, &rotation_self);
@@ -98,7 +99,7 @@ void geometric_track(const parameters_t *parameters, const estimate_t *estimate,
 
 /** Returns the requested force of the motors in the inertial frame, N. */
 static void geometric_wanted_force(const parameters_t *parameters, const estimate_t *estimate,
-    const target_t *target, double result[3])
+    const target_t *target, double result[BESSEMER_RESTRICT 3])
 {
     const double weight[3] = {0.0, 0.0, parameters->mass * AIRFRAME_GRAVITY};
     if (target->take_off) {

@@ -9,13 +9,14 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef GEOMETRIC_H
 #define GEOMETRIC_H
 
 #include "airframe.h"
+#include "bessemer_calls.h"
 #include "parameters.h"
 #include "signals.h"
 
@@ -25,7 +26,7 @@ extern "C" {
 
 /** Returns the thrust and the torques that take the aircraft to its target. */
 void geometric_track(const parameters_t *parameters, const estimate_t *estimate,
-    const target_t *target, wrench_t *wrench);
+    const target_t *target, wrench_t *BESSEMER_RESTRICT wrench);
 
 #ifdef __cplusplus
 }

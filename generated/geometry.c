@@ -16,6 +16,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
@@ -23,7 +24,7 @@
 
 static const double PI = 3.141592653589793;
 
-void orientation_of(const double angles[3], orientation_t *orientation)
+void orientation_of(const double angles[3], orientation_t *BESSEMER_RESTRICT orientation)
 {
     orientation->s1 = sine_sin(angles[0]);
     orientation->c1 = sine_cos(angles[0]);
@@ -33,7 +34,7 @@ void orientation_of(const double angles[3], orientation_t *orientation)
     orientation->c3 = sine_cos(angles[2]);
 }
 
-void orientation_rotation(const orientation_t *self, double result[9])
+void orientation_rotation(const orientation_t *self, double result[BESSEMER_RESTRICT 9])
 {
     const double s1 = self->s1;
     const double c1 = self->c1;
@@ -52,21 +53,21 @@ void orientation_rotation(const orientation_t *self, double result[9])
     result[2 + 3 * 2] = c1 * c2;
 }
 
-void orientation_thrust_direction(const orientation_t *self, double result[3])
+void orientation_thrust_direction(const orientation_t *self, double result[BESSEMER_RESTRICT 3])
 {
     result[0] = -self->s2;
     result[1] = self->s1 * self->c2;
     result[2] = self->c1 * self->c2;
 }
 
-void orientation_upwards(const orientation_t *self, double result[3])
+void orientation_upwards(const orientation_t *self, double result[BESSEMER_RESTRICT 3])
 {
     result[0] = self->c1 * self->s2 * self->c3 + self->s1 * self->s3;
     result[1] = self->c1 * self->s2 * self->s3 - self->s1 * self->c3;
     result[2] = self->c1 * self->c2;
 }
 
-void orientation_rate_matrix(const orientation_t *self, double result[9])
+void orientation_rate_matrix(const orientation_t *self, double result[BESSEMER_RESTRICT 9])
 {
     result[0 + 3 * 0] = -self->c2 * self->c3;
     result[1 + 3 * 0] = -self->c2 * self->s3;
@@ -88,7 +89,7 @@ double orientation_divisor(const orientation_t *self)
 }
 
 void orientation_angle_rates(const orientation_t *self, const double body_rates[3],
-    double result[3])
+    double result[BESSEMER_RESTRICT 3])
 {
     const double along = self->c3 * body_rates[0] + self->s3 * body_rates[1];
     const double across = self->s3 * body_rates[0] - self->c3 * body_rates[1];

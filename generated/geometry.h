@@ -8,11 +8,13 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef GEOMETRY_H
 #define GEOMETRY_H
+
+#include "bessemer_calls.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -35,7 +37,7 @@ typedef struct {
 } orientation_t;
 
 /** Returns the orientation for roll, pitch and yaw, rad. */
-void orientation_of(const double angles[3], orientation_t *orientation);
+void orientation_of(const double angles[3], orientation_t *BESSEMER_RESTRICT orientation);
 
 /**
  * Rotation from the body frame to the inertial frame: R = C1(roll) C2(pitch) C3(yaw) (thesis, eq. (2.11)).
@@ -46,19 +48,19 @@ void orientation_of(const double angles[3], orientation_t *orientation);
  *
  * `result` by columns: [row + 3 * column].
  */
-void orientation_rotation(const orientation_t *self, double result[9]);
+void orientation_rotation(const orientation_t *self, double result[BESSEMER_RESTRICT 9]);
 
 /**
  * Returns the direction of the body's z in the inertial frame: the third column of
  * `rotation`.
  */
-void orientation_thrust_direction(const orientation_t *self, double result[3]);
+void orientation_thrust_direction(const orientation_t *self, double result[BESSEMER_RESTRICT 3]);
 
 /**
  * Returns the direction of the inertial frame's z in the body frame: the third row of
  * `rotation` (thesis, eq. (4.7)).
  */
-void orientation_upwards(const orientation_t *self, double result[3]);
+void orientation_upwards(const orientation_t *self, double result[BESSEMER_RESTRICT 3]);
 
 /**
  * Body rates per rate of the angles: T in ω = T θ̇ (thesis, eq. (2.16)), with ω about the body's x, y and z by the
@@ -68,7 +70,7 @@ void orientation_upwards(const orientation_t *self, double result[3]);
  *
  * `result` by columns: [row + 3 * column].
  */
-void orientation_rate_matrix(const orientation_t *self, double result[9]);
+void orientation_rate_matrix(const orientation_t *self, double result[BESSEMER_RESTRICT 9]);
 
 /**
  * Returns cos θ2 as a divisor, at least 0.01 in magnitude, so that rates stay finite at a pitch of ±π/2.
@@ -81,7 +83,7 @@ double orientation_divisor(const orientation_t *self);
  * Singular at a pitch of ±π/2: the divisor is limited.
  */
 void orientation_angle_rates(const orientation_t *self, const double body_rates[3],
-    double result[3]);
+    double result[BESSEMER_RESTRICT 3]);
 
 /** Returns the angle reduced to ±π, rad. */
 double geometry_wrapped(double angle);

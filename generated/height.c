@@ -13,6 +13,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
@@ -28,8 +29,8 @@ void height_init(height_t *self)
     self->integral = 0.0;
 }
 
-double height_step(height_t *self, const parameters_t *parameters, const target_t *target,
-    double height, double climb)
+double height_step(height_t *BESSEMER_RESTRICT self, const parameters_t *parameters,
+    const target_t *target, double height, double climb)
 {
     const double weight = parameters->mass * AIRFRAME_GRAVITY;
     if (target->take_off) {

@@ -14,11 +14,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 #include "parameters.h"
 
 void horizontal_lean(const parameters_t *parameters, const target_t *target,
-    const double position[3], const double velocity[3], double result[3])
+    const double position[3], const double velocity[3], double result[BESSEMER_RESTRICT 3])
 {
     if (target->manual) {
         result[0] = target->lean[0];

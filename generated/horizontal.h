@@ -8,12 +8,13 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef HORIZONTAL_H
 #define HORIZONTAL_H
 
+#include "bessemer_calls.h"
 #include "parameters.h"
 #include "signals.h"
 
@@ -23,7 +24,7 @@ extern "C" {
 
 /** Returns the roll, pitch and yaw that take the aircraft to its target, rad. */
 void horizontal_lean(const parameters_t *parameters, const target_t *target,
-    const double position[3], const double velocity[3], double result[3]);
+    const double position[3], const double velocity[3], double result[BESSEMER_RESTRICT 3]);
 
 #ifdef __cplusplus
 }

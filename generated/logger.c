@@ -15,11 +15,12 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_helpers.h"
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
-static void logger_push(logger_t *self, const record_t *record);
+static void logger_push(logger_t *BESSEMER_RESTRICT self, const record_t *record);
 
 void choice_defaults(choice_t *self)
 {
@@ -56,8 +57,8 @@ void logger_init(logger_t *self)
     self->period = 0U;
 }
 
-void logger_step(logger_t *self, const choice_t *choice, const double signals[LOGGER_SIGNALS],
-    logger_step_work_t *work)
+void logger_step(logger_t *BESSEMER_RESTRICT self, const choice_t *choice,
+    const double signals[LOGGER_SIGNALS], logger_step_work_t *BESSEMER_RESTRICT work)
 {
     const bool due = choice->every != 0U && self->period % max_u32(choice->every, 1U) == 0U;
     if (due) {
@@ -77,7 +78,7 @@ void logger_step(logger_t *self, const choice_t *choice, const double signals[LO
 }
 
 /** Appends a record and overwrites the oldest one if the ring is full. */
-static void logger_push(logger_t *self, const record_t *record)
+static void logger_push(logger_t *BESSEMER_RESTRICT self, const record_t *record)
 {
     const uint32_t first = (uint32_t)(self->first % LOGGER_DEPTH);
     const uint32_t count = (uint32_t)min_u64(self->count, LOGGER_DEPTH);
@@ -95,7 +96,7 @@ bool logger_has_one(const logger_t *self)
     return self->count > UINT64_C(0);
 }
 
-void logger_take(logger_t *self, record_t *record)
+void logger_take(logger_t *BESSEMER_RESTRICT self, record_t *BESSEMER_RESTRICT record)
 {
     const uint32_t first = (uint32_t)(self->first % LOGGER_DEPTH);
     if (self->count > UINT64_C(0)) {

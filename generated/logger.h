@@ -8,8 +8,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef LOGGER_H
 #define LOGGER_H
@@ -17,6 +17,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 
 #ifdef __cplusplus
@@ -72,14 +73,14 @@ void choice_usual(choice_t *choice);
 void logger_init(logger_t *self);
 
 /** Advances one period and records the selected signals if a record is due. */
-void logger_step(logger_t *self, const choice_t *choice, const double signals[LOGGER_SIGNALS],
-    logger_step_work_t *work);
+void logger_step(logger_t *BESSEMER_RESTRICT self, const choice_t *choice,
+    const double signals[LOGGER_SIGNALS], logger_step_work_t *BESSEMER_RESTRICT work);
 
 /** Returns true if there is a record to take. */
 bool logger_has_one(const logger_t *self);
 
 /** Removes and returns the oldest record; returns an old one if there is none. */
-void logger_take(logger_t *self, record_t *record);
+void logger_take(logger_t *BESSEMER_RESTRICT self, record_t *BESSEMER_RESTRICT record);
 
 #ifdef __cplusplus
 }

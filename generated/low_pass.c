@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 
 void low_pass_init(low_pass_t *self)
@@ -20,7 +21,8 @@ void low_pass_init(low_pass_t *self)
     self->level[2] = 0.0;
 }
 
-void low_pass_step(low_pass_t *self, double share, const double signal[3], double result[3])
+void low_pass_step(low_pass_t *BESSEMER_RESTRICT self, double share, const double signal[3],
+    double result[BESSEMER_RESTRICT 3])
 {
     self->level[0] += (signal[0] - self->level[0]) * share;
     self->level[1] += (signal[1] - self->level[1]) * share;

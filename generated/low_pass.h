@@ -8,11 +8,13 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef LOW_PASS_H
 #define LOW_PASS_H
+
+#include "bessemer_calls.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -32,7 +34,8 @@ void low_pass_init(low_pass_t *self);
  *
  * For a corner at f and a period T the share is 1 − exp(−2π f T).
  */
-void low_pass_step(low_pass_t *self, double share, const double signal[3], double result[3]);
+void low_pass_step(low_pass_t *BESSEMER_RESTRICT self, double share, const double signal[3],
+    double result[BESSEMER_RESTRICT 3]);
 
 #ifdef __cplusplus
 }

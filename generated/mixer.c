@@ -17,6 +17,7 @@
 #include <stdint.h>
 
 #include "airframe.h"
+#include "bessemer_calls.h"
 #include "bessemer_helpers.h"
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
@@ -24,12 +25,12 @@
 
 static void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MAX_MOTORS],
     const double tilt[AIRFRAME_MAX_MOTORS], const double twist[AIRFRAME_MAX_MOTORS],
-    double largest, double squares[AIRFRAME_MAX_MOTORS]);
+    double largest, double squares[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS]);
 static double mixer_share(const double base[AIRFRAME_MAX_MOTORS],
     const double more[AIRFRAME_MAX_MOTORS], double largest);
 
 void mixer_new(const airframe_t *airframe, double square_per_command, double largest_command,
-    mixer_t *mixer)
+    mixer_t *BESSEMER_RESTRICT mixer)
 {
     airframe_allocation(airframe, mixer->allocation);
     airframe_effectiveness(airframe, mixer->effectiveness);
@@ -39,7 +40,7 @@ void mixer_new(const airframe_t *airframe, double square_per_command, double lar
 }
 
 void mixer_mix(const mixer_t *self, const wrench_t *wanted,
-    const double feed_forward[AIRFRAME_MAX_MOTORS], command_t *command)
+    const double feed_forward[AIRFRAME_MAX_MOTORS], command_t *BESSEMER_RESTRICT command)
 {
     const double torque[3] = {wanted->torque[0], wanted->torque[1], wanted->torque[2]};
     double lift[AIRFRAME_MAX_MOTORS];
@@ -65,7 +66,7 @@ void mixer_mix(const mixer_t *self, const wrench_t *wanted,
     }
 }
 
-void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrench)
+void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *BESSEMER_RESTRICT wrench)
 {
     double squares[8];
     for (uint32_t i = 0U; i < 8U; i++) {
@@ -85,7 +86,7 @@ void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrenc
  */
 static void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MAX_MOTORS],
     const double tilt[AIRFRAME_MAX_MOTORS], const double twist[AIRFRAME_MAX_MOTORS],
-    double largest, double squares[AIRFRAME_MAX_MOTORS])
+    double largest, double squares[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS])
 {
     static const double kept_base[8] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double kept_share = mixer_share(kept_base, tilt, largest);

@@ -9,13 +9,14 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef MIXER_H
 #define MIXER_H
 
 #include "airframe.h"
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 #include "signals.h"
 
@@ -46,7 +47,7 @@ typedef struct {
 
 /** Returns the mixer of an airframe whose motors accept commands up to `largest_command`. */
 void mixer_new(const airframe_t *airframe, double square_per_command, double largest_command,
-    mixer_t *mixer);
+    mixer_t *BESSEMER_RESTRICT mixer);
 
 /**
  * Returns the motor commands that add a wrench to `feed_forward`, a speed for each motor, rad/s.
@@ -56,10 +57,11 @@ void mixer_new(const airframe_t *airframe, double square_per_command, double lar
  * under feed-forward, which at a gain of 0.8 no attitude loop survives.
  */
 void mixer_mix(const mixer_t *self, const wrench_t *wanted,
-    const double feed_forward[AIRFRAME_MAX_MOTORS], command_t *command);
+    const double feed_forward[AIRFRAME_MAX_MOTORS], command_t *BESSEMER_RESTRICT command);
 
 /** Returns the wrench at the commanded motor speeds. */
-void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrench);
+void mixer_wrench(const mixer_t *self, const command_t *command,
+    wrench_t *BESSEMER_RESTRICT wrench);
 
 #ifdef __cplusplus
 }

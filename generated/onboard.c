@@ -16,6 +16,7 @@
 #include <stdint.h>
 
 #include "airframe.h"
+#include "bessemer_calls.h"
 #include "bessemer_helpers.h"
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
@@ -56,13 +57,13 @@ static const reference_generator_t REFERENCE_GENERATOR_DEFAULT = {
 /** Height, m, and speed, m/s, below which the aircraft is at rest on the ground. */
 static const double REST_LIMITS[2] = {0.1, 0.1};
 
-static void onboard_arm(onboard_t *self, const estimate_t *estimate);
-static alarm_t onboard_watch(onboard_t *self, const settings_t *settings, uint64_t time,
-    const estimate_t *estimate);
-static void onboard_update_gain(onboard_t *self, const settings_t *settings,
+static void onboard_arm(onboard_t *BESSEMER_RESTRICT self, const estimate_t *estimate);
+static alarm_t onboard_watch(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
+    uint64_t time, const estimate_t *estimate);
+static void onboard_update_gain(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
     const reference_t *reference);
-static void onboard_send(onboard_t *self, const settings_t *settings, const refused_t *refused,
-    packet_t *packet);
+static void onboard_send(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
+    const refused_t *refused, packet_t *BESSEMER_RESTRICT packet);
 
 void settings_mambo(settings_t *settings)
 {
@@ -98,8 +99,9 @@ void onboard_init(onboard_t *self)
     self->reply.value = 0.0;
 }
 
-void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *inputs,
-    onboard_step_work_t *work, outputs_t *outputs)
+void onboard_step(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
+    const inputs_t *inputs, onboard_step_work_t *BESSEMER_RESTRICT work,
+    outputs_t *BESSEMER_RESTRICT outputs)
 {
     const double period = settings->parameters.period;
     receiver_step(&self->receiver, period, &settings->space, &inputs->uplink, &work->receiver_step);
@@ -147,7 +149,7 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
 }
 
 /** Prepares another flight, if the aircraft is at rest on the ground with its motors off. */
-static void onboard_arm(onboard_t *self, const estimate_t *estimate)
+static void onboard_arm(onboard_t *BESSEMER_RESTRICT self, const estimate_t *estimate)
 {
     const bool at_rest = estimate->position[2] < REST_LIMITS[0]
         && sqrt(estimate->velocity[0] * estimate->velocity[0]
@@ -163,8 +165,8 @@ static void onboard_arm(onboard_t *self, const estimate_t *estimate)
 }
 
 /** Updates the alarms and returns the present one. */
-static alarm_t onboard_watch(onboard_t *self, const settings_t *settings, uint64_t time,
-    const estimate_t *estimate)
+static alarm_t onboard_watch(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
+    uint64_t time, const estimate_t *estimate)
 {
     if (self->receiver.orders.stop) {
         crash_predictor_raise(&self->predictor, ALARM_COMMANDED);
@@ -179,7 +181,7 @@ static alarm_t onboard_watch(onboard_t *self, const settings_t *settings, uint64
 }
 
 /** Moves the gain of the feed-forward towards its setpoint. */
-static void onboard_update_gain(onboard_t *self, const settings_t *settings,
+static void onboard_update_gain(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
     const reference_t *reference)
 {
     if (!reference->motors || reference->target.take_off) {
@@ -198,8 +200,8 @@ static void onboard_update_gain(onboard_t *self, const settings_t *settings,
  * Returns the packet to send in this period. A requested parameter is sent in the next period, after a change of
  * it has been applied.
  */
-static void onboard_send(onboard_t *self, const settings_t *settings, const refused_t *refused,
-    packet_t *packet)
+static void onboard_send(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
+    const refused_t *refused, packet_t *BESSEMER_RESTRICT packet)
 {
     const sender_status_t status = {
         .tally = self->receiver.tally,
@@ -216,7 +218,7 @@ static void onboard_send(onboard_t *self, const settings_t *settings, const refu
     self->reply.number = self->receiver.wish.number;
 }
 
-void onboard_signals(const outputs_t *outputs, double all[LOGGER_SIGNALS])
+void onboard_signals(const outputs_t *outputs, double all[BESSEMER_RESTRICT LOGGER_SIGNALS])
 {
     for (uint32_t i = 57U; i < 64U; i++) {
         all[i] = 0.0;

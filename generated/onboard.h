@@ -8,8 +8,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef ONBOARD_H
 #define ONBOARD_H
@@ -17,6 +17,7 @@
 #include <stdint.h>
 
 #include "airframe.h"
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 #include "calibration.h"
 #include "clock_monitor.h"
@@ -143,9 +144,14 @@ void settings_mambo(settings_t *settings);
 /** Sets the initial state; call it before anything else. */
 void onboard_init(onboard_t *self);
 
-/** Advances one period. */
-void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *inputs,
-    onboard_step_work_t *work, outputs_t *outputs);
+/**
+ * Advances one period. No enum is checked, since no status is returned.
+ * A value that is no enumerator takes the last case of each switch.
+ * Elsewhere it counts as the last enumerator: `settings.airframe.layout` as `LAYOUT_CROSS`, `settings.parameters.candidate` as `CANDIDATE_GEOMETRIC`, `settings.injection.profile` as `PROFILE_SIGMOID`.
+ */
+void onboard_step(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
+    const inputs_t *inputs, onboard_step_work_t *BESSEMER_RESTRICT work,
+    outputs_t *BESSEMER_RESTRICT outputs);
 
 /**
  * Returns all signals that the logger can record, by number.
@@ -154,7 +160,7 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
  * 26–33 the feed-forward's; 34 its gain; 35 the alarm; 36–43 the motors' commands; 44–46 the wanted
  * velocity; 47–50 the ages of the measurements; 51–56 the variances of position and angles. The rest is 0.
  */
-void onboard_signals(const outputs_t *outputs, double all[LOGGER_SIGNALS]);
+void onboard_signals(const outputs_t *outputs, double all[BESSEMER_RESTRICT LOGGER_SIGNALS]);
 
 #ifdef __cplusplus
 }

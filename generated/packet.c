@@ -14,6 +14,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_helpers.h"
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
@@ -43,7 +44,7 @@ void packet_none(packet_t *packet)
 }
 
 void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[PACKET_MAX_PAYLOAD],
-    uint64_t length, packet_t *packet)
+    uint64_t length, packet_t *BESSEMER_RESTRICT packet)
 {
     packet_none(packet);
     const uint32_t size = (uint32_t)min_u64(length, PACKET_MAX_PAYLOAD);

@@ -8,8 +8,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef PACKET_H
 #define PACKET_H
@@ -17,6 +17,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 
 #ifdef __cplusplus
@@ -39,7 +40,7 @@ void packet_none(packet_t *packet);
 
 /** Builds a packet from its kind and the first `length` bytes of a payload. */
 void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[PACKET_MAX_PAYLOAD],
-    uint64_t length, packet_t *packet);
+    uint64_t length, packet_t *BESSEMER_RESTRICT packet);
 
 /** Returns true if sync bytes, length and checksum are correct. */
 bool packet_is_sound(const packet_t *self);

@@ -14,6 +14,7 @@
 #include <stdint.h>
 
 #include "airframe.h"
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 #include "mixer.h"
 
@@ -27,7 +28,8 @@ double damped_respond(const damped_t *self, double error, double error_rate)
     return self->p * error + self->d * error_rate;
 }
 
-void parameters_push(const parameters_t *self, const command_t *command, push_t *push)
+void parameters_push(const parameters_t *self, const command_t *command,
+    push_t *BESSEMER_RESTRICT push)
 {
     wrench_t wrench;
     mixer_wrench(&self->mixer, command, &wrench);
@@ -72,7 +74,8 @@ void parameters_mambo(parameters_t *parameters)
     parameters->geometric = new_geometric;
 }
 
-void parameters_hexacopter(mixer_t *work, parameters_t *parameters)
+void parameters_hexacopter(mixer_t *BESSEMER_RESTRICT work,
+    parameters_t *BESSEMER_RESTRICT parameters)
 {
     airframe_t airframe;
     airframe_hexacopter(&airframe);

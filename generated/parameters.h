@@ -8,12 +8,13 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef PARAMETERS_H
 #define PARAMETERS_H
 
+#include "bessemer_calls.h"
 #include "expectation.h"
 #include "mixer.h"
 #include "signals.h"
@@ -95,7 +96,8 @@ double gains_respond(const gains_t *self, double error, double integral, double 
 double damped_respond(const damped_t *self, double error, double error_rate);
 
 /** Returns the accelerations that a command is to cause. */
-void parameters_push(const parameters_t *self, const command_t *command, push_t *push);
+void parameters_push(const parameters_t *self, const command_t *command,
+    push_t *BESSEMER_RESTRICT push);
 
 /** Returns the parameters of the Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1). */
 void parameters_mambo(parameters_t *parameters);
@@ -105,7 +107,8 @@ void parameters_mambo(parameters_t *parameters);
  * attitude loop.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-void parameters_hexacopter(mixer_t *work, parameters_t *parameters);
+void parameters_hexacopter(mixer_t *BESSEMER_RESTRICT work,
+    parameters_t *BESSEMER_RESTRICT parameters);
 
 #ifdef __cplusplus
 }

@@ -15,13 +15,15 @@
 #include <stdint.h>
 
 #include "airframe.h"
+#include "bessemer_calls.h"
 #include "bessemer_constants.h"
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
 #include "geometry.h"
 #include "product_f64_4x8_8x1.h"
 
-void motion_plus(const motion_t *self, const motion_t *slope, double time, motion_t *motion)
+void motion_plus(const motion_t *self, const motion_t *slope, double time,
+    motion_t *BESSEMER_RESTRICT motion)
 {
     motion->position[0] = self->position[0] + slope->position[0] * time;
     motion->position[1] = self->position[1] + slope->position[1] * time;
@@ -38,7 +40,7 @@ void motion_plus(const motion_t *self, const motion_t *slope, double time, motio
 }
 
 void motion_slope(const motion_t *self, const airframe_t *airframe, const wrench_t *wrench,
-    motion_t *motion)
+    motion_t *BESSEMER_RESTRICT motion)
 {
     orientation_t orientation;
     orientation_of(self->angles, &orientation);
@@ -79,7 +81,7 @@ void motion_slope(const motion_t *self, const airframe_t *airframe, const wrench
 }
 
 void motion_after(const motion_t *self, const airframe_t *airframe, const wrench_t *wrench,
-    double period, motion_t *motion)
+    double period, motion_t *BESSEMER_RESTRICT motion)
 {
     motion_t first;
     motion_slope(self, airframe, wrench, &first);
@@ -105,7 +107,7 @@ void motion_after(const motion_t *self, const airframe_t *airframe, const wrench
 }
 
 void airframe_wrench(const airframe_t *self, const double speeds[AIRFRAME_MAX_MOTORS],
-    wrench_t *wrench)
+    wrench_t *BESSEMER_RESTRICT wrench)
 {
     double squares[8];
     for (uint32_t n = 0U; n < AIRFRAME_MAX_MOTORS; n++) {
@@ -137,8 +139,8 @@ void plant_init(plant_t *self)
     self->motion.rates[2] = 0.0;
 }
 
-void plant_step(plant_t *self, const airframe_t *airframe, const double speeds[AIRFRAME_MAX_MOTORS],
-    double period, motion_t *motion)
+void plant_step(plant_t *BESSEMER_RESTRICT self, const airframe_t *airframe,
+    const double speeds[AIRFRAME_MAX_MOTORS], double period, motion_t *BESSEMER_RESTRICT motion)
 {
     wrench_t wrench;
     airframe_wrench(airframe, speeds, &wrench);

@@ -8,13 +8,14 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef PLANT_H
 #define PLANT_H
 
 #include "airframe.h"
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 
 #ifdef __cplusplus
@@ -40,32 +41,38 @@ typedef struct {
 } plant_t;
 
 /** Returns this motion plus `time` times a rate of change. */
-void motion_plus(const motion_t *self, const motion_t *slope, double time, motion_t *motion);
+void motion_plus(const motion_t *self, const motion_t *slope, double time,
+    motion_t *BESSEMER_RESTRICT motion);
 
 /**
  * Returns the rate of change under the motors' wrench (thesis, eqs. (2.17), (2.23), (2.24), (2.28)).
  */
 void motion_slope(const motion_t *self, const airframe_t *airframe, const wrench_t *wrench,
-    motion_t *motion);
+    motion_t *BESSEMER_RESTRICT motion);
 
 /**
  * Returns the motion after `period` seconds of a constant wrench: one step of fourth-order Runge–Kutta.
  */
 void motion_after(const motion_t *self, const airframe_t *airframe, const wrench_t *wrench,
-    double period, motion_t *motion);
+    double period, motion_t *BESSEMER_RESTRICT motion);
 
 /**
  * Returns thrust and torques of the motors at their speeds, rad/s, of either sign (thesis, eq. (2.49)).
  */
 void airframe_wrench(const airframe_t *self, const double speeds[AIRFRAME_MAX_MOTORS],
-    wrench_t *wrench);
+    wrench_t *BESSEMER_RESTRICT wrench);
 
 /** Sets the initial state; call it before anything else. */
 void plant_init(plant_t *self);
 
-/** Advances one period, s, at the passed motor speeds, rad/s, and returns the motion. */
-void plant_step(plant_t *self, const airframe_t *airframe, const double speeds[AIRFRAME_MAX_MOTORS],
-    double period, motion_t *motion);
+/**
+ * Advances one period, s, at the passed motor speeds, rad/s, and returns the motion.
+ * No enum is checked, since no status is returned.
+ * A value that is no enumerator takes the last case of each switch.
+ * Elsewhere it counts as the last enumerator: `airframe.layout` as `LAYOUT_CROSS`.
+ */
+void plant_step(plant_t *BESSEMER_RESTRICT self, const airframe_t *airframe,
+    const double speeds[AIRFRAME_MAX_MOTORS], double period, motion_t *BESSEMER_RESTRICT motion);
 
 #ifdef __cplusplus
 }

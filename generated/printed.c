@@ -16,6 +16,7 @@
 #include <stdint.h>
 
 #include "attitude.h"
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 #include "geometry.h"
 #include "height.h"
@@ -28,8 +29,8 @@ void printed_init(printed_t *self)
     attitude_init(&self->attitude);
 }
 
-void printed_step(printed_t *self, const parameters_t *parameters, const estimate_t *estimate,
-    const target_t *target, wrench_t *wrench)
+void printed_step(printed_t *BESSEMER_RESTRICT self, const parameters_t *parameters,
+    const estimate_t *estimate, const target_t *target, wrench_t *BESSEMER_RESTRICT wrench)
 {
     orientation_t orientation;
     orientation_of(estimate->angles, &orientation);
@@ -65,7 +66,7 @@ void printed_step(printed_t *self, const parameters_t *parameters, const estimat
 }
 
 void printed_lean(const parameters_t *parameters, const target_t *target,
-    const estimate_t *estimate, double result[3])
+    const estimate_t *estimate, double result[BESSEMER_RESTRICT 3])
 {
     const double error[3] = {
         target->position[0] - estimate->position[0],

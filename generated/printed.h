@@ -8,14 +8,15 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef PRINTED_H
 #define PRINTED_H
 
 #include "airframe.h"
 #include "attitude.h"
+#include "bessemer_calls.h"
 #include "height.h"
 #include "parameters.h"
 #include "signals.h"
@@ -35,16 +36,21 @@ typedef struct {
 /** Sets the initial state; call it before anything else. */
 void printed_init(printed_t *self);
 
-/** Advances one control period and returns the commanded thrust and torques. */
-void printed_step(printed_t *self, const parameters_t *parameters, const estimate_t *estimate,
-    const target_t *target, wrench_t *wrench);
+/**
+ * Advances one control period and returns the commanded thrust and torques.
+ * No enum is checked, since no status is returned.
+ * A value that is no enumerator takes the last case of each switch.
+ * Elsewhere it counts as the last enumerator: `parameters.candidate` as `CANDIDATE_GEOMETRIC`.
+ */
+void printed_step(printed_t *BESSEMER_RESTRICT self, const parameters_t *parameters,
+    const estimate_t *estimate, const target_t *target, wrench_t *BESSEMER_RESTRICT wrench);
 
 /**
  * Returns the roll, pitch and yaw that take the aircraft to its target, rad (thesis, eqs. (3.16), (3.17)). The gains
  * are in rad per metre and both negative, without which the law does not fly at any yaw.
  */
 void printed_lean(const parameters_t *parameters, const target_t *target,
-    const estimate_t *estimate, double result[3]);
+    const estimate_t *estimate, double result[BESSEMER_RESTRICT 3]);
 
 #ifdef __cplusplus
 }

@@ -6,8 +6,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef PRODUCT_TR_F64_3X3_3X3_H
 #define PRODUCT_TR_F64_3X3_3X3_H
@@ -43,6 +43,8 @@ typedef char PRODUCT_TR_F64_3X3_3X3_H_DOUBLE_LITERALS[(sizeof(0.1) == sizeof(dou
 #elif defined(__GNUC__)
 #pragma GCC push_options
 #pragma GCC optimize("fp-contract=off", "signed-zeros")
+/* Of a loop that copies or clears a few elements, gcc would make a call of memmove or memset. */
+#pragma GCC optimize("no-tree-loop-distribute-patterns")
 #if __GNUC__ > 10
 /* gcc 12 miscompiles `static void f(T *a, T *b, T *c) { *b = *c; *a = *b; }` by this: its caller reads the old `*b`. */
 #pragma GCC optimize("no-ipa-modref")

@@ -17,6 +17,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
 #include "bessemer_sizes.h"
@@ -28,16 +29,19 @@
 static const double STICK_LIMITS[3] = {0.35, 2.0, 0.5};
 
 static bool receiver_is_newer(const receiver_t *self, uint16_t number);
-static bool receiver_take(receiver_t *self, const space_t *space, const packet_t *packet,
-    trajectory_t *work);
-static bool receiver_take_bare(receiver_t *self, const space_t *space, uint8_t kind);
+static bool receiver_take(receiver_t *BESSEMER_RESTRICT self, const space_t *space,
+    const packet_t *packet, trajectory_t *BESSEMER_RESTRICT work);
+static bool receiver_take_bare(receiver_t *BESSEMER_RESTRICT self, const space_t *space,
+    uint8_t kind);
 static bool receiver_take_mode(receiver_t *self, uint8_t number);
-static bool receiver_collect(receiver_t *self, const space_t *space, const packet_t *packet);
-static bool receiver_commit(receiver_t *self, const space_t *space, const packet_t *packet,
-    trajectory_t *work);
-static bool receiver_take_sticks(receiver_t *self, const packet_t *packet);
-static bool receiver_wish_for(receiver_t *self, request_t request, const packet_t *packet);
-static bool receiver_choose(receiver_t *self, const packet_t *packet);
+static bool receiver_collect(receiver_t *BESSEMER_RESTRICT self, const space_t *space,
+    const packet_t *packet);
+static bool receiver_commit(receiver_t *BESSEMER_RESTRICT self, const space_t *space,
+    const packet_t *packet, trajectory_t *BESSEMER_RESTRICT work);
+static bool receiver_take_sticks(receiver_t *BESSEMER_RESTRICT self, const packet_t *packet);
+static bool receiver_wish_for(receiver_t *BESSEMER_RESTRICT self, request_t request,
+    const packet_t *packet);
+static bool receiver_choose(receiver_t *BESSEMER_RESTRICT self, const packet_t *packet);
 
 void sticks_centred(sticks_t *sticks)
 {
@@ -133,8 +137,8 @@ void receiver_init(receiver_t *self)
     self->has_last = false;
 }
 
-void receiver_step(receiver_t *self, double period, const space_t *space, const packet_t *packet,
-    receiver_step_work_t *work)
+void receiver_step(receiver_t *BESSEMER_RESTRICT self, double period, const space_t *space,
+    const packet_t *packet, receiver_step_work_t *BESSEMER_RESTRICT work)
 {
     self->orders.sticks_age += period;
     self->orders.silence += period;
@@ -184,8 +188,8 @@ static bool receiver_is_newer(const receiver_t *self, uint16_t number)
  * Executes a packet; returns true if it is valid.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-static bool receiver_take(receiver_t *self, const space_t *space, const packet_t *packet,
-    trajectory_t *work)
+static bool receiver_take(receiver_t *BESSEMER_RESTRICT self, const space_t *space,
+    const packet_t *packet, trajectory_t *BESSEMER_RESTRICT work)
 {
     const uint8_t kind = packet_kind(packet);
     const uint64_t size = packet_size(packet);
@@ -217,7 +221,8 @@ static bool receiver_take(receiver_t *self, const space_t *space, const packet_t
 }
 
 /** Executes a packet without payload; returns true if its kind is known. */
-static bool receiver_take_bare(receiver_t *self, const space_t *space, uint8_t kind)
+static bool receiver_take_bare(receiver_t *BESSEMER_RESTRICT self, const space_t *space,
+    uint8_t kind)
 {
     if (kind == RECEIVER_TAKE_OFF) {
         const bool ready = trajectory_is_sound(&self->orders.trajectory, space);
@@ -269,7 +274,8 @@ static bool receiver_take_mode(receiver_t *self, uint8_t number)
  * Stores a set point in the trajectory being collected; returns true if it is valid. A new tag starts a new
  * trajectory.
  */
-static bool receiver_collect(receiver_t *self, const space_t *space, const packet_t *packet)
+static bool receiver_collect(receiver_t *BESSEMER_RESTRICT self, const space_t *space,
+    const packet_t *packet)
 {
     const uint8_t name = packet_byte(packet, UINT64_C(0));
     const uint32_t index = (uint32_t)packet_byte(packet, UINT64_C(1));
@@ -298,8 +304,8 @@ static bool receiver_collect(receiver_t *self, const space_t *space, const packe
  * Activates the collected trajectory if it is valid and complete; returns true if so. The next one starts empty.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-static bool receiver_commit(receiver_t *self, const space_t *space, const packet_t *packet,
-    trajectory_t *work)
+static bool receiver_commit(receiver_t *BESSEMER_RESTRICT self, const space_t *space,
+    const packet_t *packet, trajectory_t *BESSEMER_RESTRICT work)
 {
     const uint32_t count = (uint32_t)packet_byte(packet, UINT64_C(0));
     trajectory_t *const wanted = work;
@@ -321,7 +327,7 @@ static bool receiver_commit(receiver_t *self, const space_t *space, const packet
 }
 
 /** Stores the sticks, limited to their range; returns true if they are numbers. */
-static bool receiver_take_sticks(receiver_t *self, const packet_t *packet)
+static bool receiver_take_sticks(receiver_t *BESSEMER_RESTRICT self, const packet_t *packet)
 {
     const double roll = packet_number(packet, UINT64_C(0));
     const double pitch = packet_number(packet, UINT64_C(8));
@@ -341,7 +347,8 @@ static bool receiver_take_sticks(receiver_t *self, const packet_t *packet)
 /**
  * Stores a query or a change of a parameter; the owner of the settings decides whether it is valid.
  */
-static bool receiver_wish_for(receiver_t *self, request_t request, const packet_t *packet)
+static bool receiver_wish_for(receiver_t *BESSEMER_RESTRICT self, request_t request,
+    const packet_t *packet)
 {
     self->wish.request = request;
     self->wish.number = packet_byte(packet, UINT64_C(0));
@@ -350,7 +357,7 @@ static bool receiver_wish_for(receiver_t *self, request_t request, const packet_
 }
 
 /** Stores a selection of logged signals. */
-static bool receiver_choose(receiver_t *self, const packet_t *packet)
+static bool receiver_choose(receiver_t *BESSEMER_RESTRICT self, const packet_t *packet)
 {
     self->wish.request = REQUEST_CHOOSE;
     self->wish.choice.tag = packet_byte(packet, UINT64_C(0));

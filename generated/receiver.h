@@ -8,8 +8,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef RECEIVER_H
 #define RECEIVER_H
@@ -17,6 +17,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "logger.h"
 #include "packet.h"
 #include "trajectory.h"
@@ -144,8 +145,8 @@ void orders_defaults(orders_t *self);
 void receiver_init(receiver_t *self);
 
 /** Advances one period, s, and processes the packet received in it, if any. */
-void receiver_step(receiver_t *self, double period, const space_t *space, const packet_t *packet,
-    receiver_step_work_t *work);
+void receiver_step(receiver_t *BESSEMER_RESTRICT self, double period, const space_t *space,
+    const packet_t *packet, receiver_step_work_t *BESSEMER_RESTRICT work);
 
 /** Clears the commands before another flight. */
 void receiver_forget(receiver_t *self);

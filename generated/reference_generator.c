@@ -14,6 +14,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "geometry.h"
@@ -24,12 +25,14 @@
 /** Height above which the aircraft is airborne, m. */
 static const double GROUND_CLEARANCE = 0.1;
 
-static void reference_generator_change_phase(reference_generator_t *self, const course_t *course,
-    const orders_t *orders, const estimate_t *estimate, bool landed, bool degraded);
-static void reference_generator_turn(reference_generator_t *self, const course_t *course,
-    const estimate_t *estimate, target_t *target);
-static void reference_generator_follow_sticks(reference_generator_t *self, const course_t *course,
-    const orders_t *orders, const estimate_t *estimate, target_t *target);
+static void reference_generator_change_phase(reference_generator_t *BESSEMER_RESTRICT self,
+    const course_t *course, const orders_t *orders, const estimate_t *estimate, bool landed,
+    bool degraded);
+static void reference_generator_turn(reference_generator_t *BESSEMER_RESTRICT self,
+    const course_t *course, const estimate_t *estimate, target_t *BESSEMER_RESTRICT target);
+static void reference_generator_follow_sticks(reference_generator_t *BESSEMER_RESTRICT self,
+    const course_t *course, const orders_t *orders, const estimate_t *estimate,
+    target_t *BESSEMER_RESTRICT target);
 
 void course_mambo(course_t *course)
 {
@@ -60,9 +63,9 @@ void reference_generator_init(reference_generator_t *self)
     self->airborne = false;
 }
 
-void reference_generator_step(reference_generator_t *self, const course_t *course,
+void reference_generator_step(reference_generator_t *BESSEMER_RESTRICT self, const course_t *course,
     const orders_t *orders, const estimate_t *estimate, bool landed, bool degraded,
-    reference_t *reference)
+    reference_t *BESSEMER_RESTRICT reference)
 {
     if (self->phase == PHASE_READY) {
         trajectory_at(&orders->trajectory, 0.0, &self->wanted);
@@ -124,8 +127,9 @@ bool reference_generator_is_flying(const reference_generator_t *self)
  * An aircraft that is lighter or stronger than it is believed to be takes off faster: the closed loop
  * takes over at half the height that is wanted, if that comes before the end of the takeoff_duration.
  */
-static void reference_generator_change_phase(reference_generator_t *self, const course_t *course,
-    const orders_t *orders, const estimate_t *estimate, bool landed, bool degraded)
+static void reference_generator_change_phase(reference_generator_t *BESSEMER_RESTRICT self,
+    const course_t *course, const orders_t *orders, const estimate_t *estimate, bool landed,
+    bool degraded)
 {
     const bool aloft = self->phase == PHASE_FLIGHT || self->phase == PHASE_HOLD;
     if (degraded && (self->phase == PHASE_TAKE_OFF || aloft)) {
@@ -185,8 +189,8 @@ static void reference_generator_change_phase(reference_generator_t *self, const 
 /**
  * Moves the yaw setpoint to the requested yaw; until the aircraft is airborne it is the measured yaw.
  */
-static void reference_generator_turn(reference_generator_t *self, const course_t *course,
-    const estimate_t *estimate, target_t *target)
+static void reference_generator_turn(reference_generator_t *BESSEMER_RESTRICT self,
+    const course_t *course, const estimate_t *estimate, target_t *BESSEMER_RESTRICT target)
 {
     if (!self->airborne) {
         self->yaw = estimate->angles[2];
@@ -207,8 +211,9 @@ static void reference_generator_turn(reference_generator_t *self, const course_t
 }
 
 /** Follows the sticks in tilt, yaw rate and climb rate, and integrates height and yaw. */
-static void reference_generator_follow_sticks(reference_generator_t *self, const course_t *course,
-    const orders_t *orders, const estimate_t *estimate, target_t *target)
+static void reference_generator_follow_sticks(reference_generator_t *BESSEMER_RESTRICT self,
+    const course_t *course, const orders_t *orders, const estimate_t *estimate,
+    target_t *BESSEMER_RESTRICT target)
 {
     sticks_t sticks = orders->sticks;
     if (orders->sticks_age > course->stick_timeout) {

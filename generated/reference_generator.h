@@ -8,14 +8,15 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef REFERENCE_GENERATOR_H
 #define REFERENCE_GENERATOR_H
 
 #include <stdbool.h>
 
+#include "bessemer_calls.h"
 #include "receiver.h"
 #include "signals.h"
 #include "trajectory.h"
@@ -103,11 +104,13 @@ void reference_generator_init(reference_generator_t *self);
 
 /**
  * Advances one period and returns the reference. `landed`: touch-down was detected. `degraded`: the aircraft must
- * land, whatever was commanded.
+ * land, whatever was commanded. No enum is checked, since no status is returned.
+ * A value that is no enumerator takes the last case of each switch.
+ * Elsewhere it counts as the last enumerator: `orders.mode` as `RECEIVER_MODE_MANUAL`.
  */
-void reference_generator_step(reference_generator_t *self, const course_t *course,
+void reference_generator_step(reference_generator_t *BESSEMER_RESTRICT self, const course_t *course,
     const orders_t *orders, const estimate_t *estimate, bool landed, bool degraded,
-    reference_t *reference);
+    reference_t *BESSEMER_RESTRICT reference);
 
 /** Stops the motors permanently. */
 void reference_generator_end(reference_generator_t *self);

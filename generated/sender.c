@@ -15,6 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
 #include "bessemer_sizes.h"
@@ -46,9 +47,11 @@ static const uint32_t STATUS_INTERVAL = 100U;
 /** Number of values in a packet. */
 static const uint64_t VALUES_PER_PACKET = UINT64_C(12);
 
-static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet);
-static void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *packet);
-static void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet);
+static void sender_packet(const sender_t *self, uint64_t part, packet_t *BESSEMER_RESTRICT packet);
+static void sender_state(uint16_t sequence, const sender_status_t *status,
+    packet_t *BESSEMER_RESTRICT packet);
+static void sender_parameter(uint16_t sequence, const reply_t *reply,
+    packet_t *BESSEMER_RESTRICT packet);
 static void sender_put(uint8_t payload[PACKET_MAX_PAYLOAD], uint64_t at, uint32_t word);
 
 void sender_init(sender_t *self)
@@ -64,8 +67,8 @@ void sender_init(sender_t *self)
     self->status_age = 0U;
 }
 
-void sender_step(sender_t *self, logger_t *logger, const sender_status_t *status,
-    const reply_t *reply, packet_t *packet)
+void sender_step(sender_t *BESSEMER_RESTRICT self, logger_t *BESSEMER_RESTRICT logger,
+    const sender_status_t *status, const reply_t *reply, packet_t *BESSEMER_RESTRICT packet)
 {
     self->status_age = saturating_add_u32(self->status_age, 1U);
     const uint16_t sequence = self->sequence;
@@ -99,7 +102,7 @@ void sender_step(sender_t *self, logger_t *logger, const sender_status_t *status
 }
 
 /** Returns a packet with one part of the record. */
-static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet)
+static void sender_packet(const sender_t *self, uint64_t part, packet_t *BESSEMER_RESTRICT packet)
 {
     uint8_t payload[PACKET_MAX_PAYLOAD] = {0};
     sender_put(payload, UINT64_C(0), self->record.period);
@@ -115,7 +118,8 @@ static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet)
 }
 
 /** Returns a packet with the state of the link. */
-static void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *packet)
+static void sender_state(uint16_t sequence, const sender_status_t *status,
+    packet_t *BESSEMER_RESTRICT packet)
 {
     const uint32_t counts[8] = {
         status->tally.accepted, status->tally.corrupt, status->tally.outdated,
@@ -133,7 +137,8 @@ static void sender_state(uint16_t sequence, const sender_status_t *status, packe
 }
 
 /** Returns a packet with a parameter. */
-static void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
+static void sender_parameter(uint16_t sequence, const reply_t *reply,
+    packet_t *BESSEMER_RESTRICT packet)
 {
     uint8_t payload[PACKET_MAX_PAYLOAD] = {0};
     payload[0] = reply->number;

@@ -8,8 +8,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef SENDER_H
 #define SENDER_H
@@ -17,6 +17,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "gate.h"
 #include "logger.h"
 #include "packet.h"
@@ -69,9 +70,14 @@ typedef struct {
 /** Sets the initial state; call it before anything else. */
 void sender_init(sender_t *self);
 
-/** Advances one period and returns the packet to send, if any. */
-void sender_step(sender_t *self, logger_t *logger, const sender_status_t *status,
-    const reply_t *reply, packet_t *packet);
+/**
+ * Advances one period and returns the packet to send, if any.
+ * No enum is checked, since no status is returned.
+ * A value that is no enumerator takes the last case of each switch.
+ * Elsewhere it counts as the last enumerator: `status.mode` as `RECEIVER_MODE_MANUAL`.
+ */
+void sender_step(sender_t *BESSEMER_RESTRICT self, logger_t *BESSEMER_RESTRICT logger,
+    const sender_status_t *status, const reply_t *reply, packet_t *BESSEMER_RESTRICT packet);
 
 #ifdef __cplusplus
 }

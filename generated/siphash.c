@@ -14,10 +14,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
-void sip_keyed(const siphash_key_t *key, sip_t *sip)
+void sip_keyed(const siphash_key_t *key, sip_t *BESSEMER_RESTRICT sip)
 {
     sip->v0 = key->halves[0] ^ UINT64_C(0x736F6D6570736575);
     sip->v1 = key->halves[1] ^ UINT64_C(0x646F72616E646F6D);

@@ -9,8 +9,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef SIPHASH_H
 #define SIPHASH_H
@@ -18,6 +18,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 
 #ifdef __cplusplus
@@ -45,7 +46,7 @@ typedef struct {
 } sip_t;
 
 /** Returns the initial state for a key (paper, section 2.1). */
-void sip_keyed(const siphash_key_t *key, sip_t *sip);
+void sip_keyed(const siphash_key_t *key, sip_t *BESSEMER_RESTRICT sip);
 
 /** Applies one SipRound (paper, figure 2.1). */
 void sip_turn(sip_t *self);

@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 
 void stuck_init(stuck_t *self)
@@ -20,7 +21,7 @@ void stuck_init(stuck_t *self)
     self->last[2] = 0.0;
 }
 
-bool stuck_is_new(stuck_t *self, const double reading[3])
+bool stuck_is_new(stuck_t *BESSEMER_RESTRICT self, const double reading[3])
 {
     const bool is_new = !(reading[0] == self->last[0] && reading[1] == self->last[1]
         && reading[2] == self->last[2]);

@@ -8,13 +8,15 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef STUCK_H
 #define STUCK_H
 
 #include <stdbool.h>
+
+#include "bessemer_calls.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -33,7 +35,7 @@ void stuck_init(stuck_t *self);
  * Returns true if a reading differs from the last one. Two readings equal by chance lose one of them; a stuck
  * sensor is not used even once.
  */
-bool stuck_is_new(stuck_t *self, const double reading[3]);
+bool stuck_is_new(stuck_t *BESSEMER_RESTRICT self, const double reading[3]);
 
 #ifdef __cplusplus
 }

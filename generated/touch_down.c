@@ -15,6 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_target.h"
 
 /** Time for which the aircraft must be still, s. */
@@ -35,7 +36,7 @@ void touch_down_init(touch_down_t *self)
     self->landed = false;
 }
 
-bool touch_down_step(touch_down_t *self, double period, const target_t *target,
+bool touch_down_step(touch_down_t *BESSEMER_RESTRICT self, double period, const target_t *target,
     const estimate_t *estimate)
 {
     if (!target->land) {

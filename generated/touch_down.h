@@ -8,14 +8,15 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef TOUCH_DOWN_H
 #define TOUCH_DOWN_H
 
 #include <stdbool.h>
 
+#include "bessemer_calls.h"
 #include "signals.h"
 
 #ifdef __cplusplus
@@ -36,7 +37,7 @@ void touch_down_init(touch_down_t *self);
 /**
  * Advances one period, s; returns true after touch-down. A bounce does not reset it; a new flight does.
  */
-bool touch_down_step(touch_down_t *self, double period, const target_t *target,
+bool touch_down_step(touch_down_t *BESSEMER_RESTRICT self, double period, const target_t *target,
     const estimate_t *estimate);
 
 #ifdef __cplusplus

@@ -14,6 +14,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
@@ -35,7 +36,7 @@ bool trajectory_is_sound(const trajectory_t *self, const space_t *space)
     return sound;
 }
 
-void trajectory_at(const trajectory_t *self, double time, set_point_t *wanted)
+void trajectory_at(const trajectory_t *self, double time, set_point_t *BESSEMER_RESTRICT wanted)
 {
     *wanted = self->points[0];
     for (uint32_t n = 1U; n < TRAJECTORY_MAX_POINTS; n++) {

@@ -8,8 +8,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef TRAJECTORY_H
 #define TRAJECTORY_H
@@ -17,6 +17,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 
 #ifdef __cplusplus
@@ -60,7 +61,7 @@ bool trajectory_is_sound(const trajectory_t *self, const space_t *space);
 /**
  * Returns the set point at a time since take-off, s: the last that has started, or else the first.
  */
-void trajectory_at(const trajectory_t *self, double time, set_point_t *wanted);
+void trajectory_at(const trajectory_t *self, double time, set_point_t *BESSEMER_RESTRICT wanted);
 
 /** Returns true if the set point is within the space and its yaw within one turn. */
 bool set_point_is_inside(const set_point_t *self, const space_t *space);

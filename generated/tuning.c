@@ -15,14 +15,17 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_constants.h"
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
-static void settings_take_gains(settings_t *self, const double all[TUNING_PARAMETER_COUNT]);
+static void settings_take_gains(settings_t *BESSEMER_RESTRICT self,
+    const double all[TUNING_PARAMETER_COUNT]);
 static candidate_t tuning_candidate(double number);
 
-void tuning_values(const settings_t *settings, double result[TUNING_PARAMETER_COUNT])
+void tuning_values(const settings_t *settings,
+    double result[BESSEMER_RESTRICT TUNING_PARAMETER_COUNT])
 {
     result[0] = settings->parameters.height.p;
     result[1] = settings->parameters.height.i;
@@ -57,7 +60,7 @@ double settings_parameter(const settings_t *self, uint8_t number)
     return elements[n];
 }
 
-bool settings_grant(settings_t *self, const wish_t *wish, bool flying)
+bool settings_grant(settings_t *BESSEMER_RESTRICT self, const wish_t *wish, bool flying)
 {
     switch (wish->request) {
     case REQUEST_SET:
@@ -98,7 +101,8 @@ bool settings_set(settings_t *self, uint8_t number, double value, bool flying)
 }
 
 /** Sets the gains to the values of the parameters. */
-static void settings_take_gains(settings_t *self, const double all[TUNING_PARAMETER_COUNT])
+static void settings_take_gains(settings_t *BESSEMER_RESTRICT self,
+    const double all[TUNING_PARAMETER_COUNT])
 {
     self->parameters.height.p = all[0];
     self->parameters.height.i = all[1];

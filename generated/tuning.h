@@ -8,8 +8,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef TUNING_H
 #define TUNING_H
@@ -17,6 +17,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 #include "onboard.h"
 #include "receiver.h"
@@ -31,13 +32,14 @@ extern "C" {
  * (N·s/m) and the landing rate (m/s). On the ground only: the excess thrust of the take-off and the number of the
  * control law.
  */
-void tuning_values(const settings_t *settings, double result[TUNING_PARAMETER_COUNT]);
+void tuning_values(const settings_t *settings,
+    double result[BESSEMER_RESTRICT TUNING_PARAMETER_COUNT]);
 
 /** Returns the value of a parameter, or NaN if there is no such parameter. */
 double settings_parameter(const settings_t *self, uint8_t number);
 
 /** Applies a request of the ground station if it is valid; returns true if so. */
-bool settings_grant(settings_t *self, const wish_t *wish, bool flying);
+bool settings_grant(settings_t *BESSEMER_RESTRICT self, const wish_t *wish, bool flying);
 
 /** Sets a parameter if the value is valid; returns true if so. */
 bool settings_set(settings_t *self, uint8_t number, double value, bool flying);

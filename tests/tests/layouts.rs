@@ -55,7 +55,7 @@ fn each_layout_spells_matrices_its_way() {
             &[
                 "double matrix[6];",
                 "map->matrix[(i % UINT64_C(2)) + 2U * 2U] + map->matrix[1 + 2 * 0]",
-                "const double a[4], const double b[6], double result[6]",
+                "const double a[4], const double b[6], double result[BESSEMER_RESTRICT 6]",
             ],
         ),
         (
@@ -63,7 +63,7 @@ fn each_layout_spells_matrices_its_way() {
             &[
                 "double matrix[6];",
                 "map->matrix[2U + 3U * (i % UINT64_C(2))] + map->matrix[0 + 3 * 1]",
-                "const double a[4], const double b[6], double result[6]",
+                "const double a[4], const double b[6], double result[BESSEMER_RESTRICT 6]",
             ],
         ),
         (
@@ -71,7 +71,7 @@ fn each_layout_spells_matrices_its_way() {
             &[
                 "double matrix[2][3];",
                 "map->matrix[i % UINT64_C(2)][2] + map->matrix[1][0]",
-                "const double a[2][2], const double b[2][3], double result[2][3]",
+                "const double a[2][2], const double b[2][3], double result[BESSEMER_RESTRICT 2][3]",
             ],
         ),
     ];

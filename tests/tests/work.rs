@@ -51,7 +51,7 @@ fn large_temporaries_are_lent_by_the_caller() {
     let workspace = Workspace::with_source(MODEL).expect("a workspace");
     let compiled = workspace.compiled().unwrap_or_else(|said| panic!("{said}"));
     let header = compiled.files.iter().find(|file| file.name == "powers.h").expect("a header");
-    assert!(header.text.contains("powers_step_work_t *work"), "{}", header.text);
+    assert!(header.text.contains("powers_step_work_t *BESSEMER_RESTRICT work"), "{}", header.text);
     assert!(compiled.entries[0].stack_bytes < 512, "{:?}", compiled.entries[0]);
 
     let step = entry(&compiled, "Powers", "step").expect("an entry point");

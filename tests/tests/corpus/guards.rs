@@ -106,6 +106,32 @@ fn initialised_variables_change_no_bits() {
     run_c(corpus(), &some, &Toolchain { level: 2, ..gcc }, &["-ftrivial-auto-var-init=pattern"]);
 }
 
+/// Calls of `phasor_mul`, and true if a compiler reports them: only the written argument must lie apart.
+const CALLS: [(&str, bool); 3] =
+    [("&x, &y, &x", true), ("&x, &x, &z", false), ("&x, &y, &z", false)];
+
+/// gcc reports a caller of public C whose result overwrites an operand.
+#[test]
+fn a_call_with_shared_memory_is_reported() {
+    let Some(gcc) = toolchain::host().into_iter().find(|it| it.compiler == "gcc") else { return };
+    for (arguments, reported) in CALLS {
+        let program = format!(
+            "#include \"own_operators.h\"\n\nvoid caller(void);\n\nvoid caller(void)\n{{\n\
+             phasor_t x = {{ 1.0, 2.0 }};\nphasor_t y = x;\nphasor_t z = y;\nphasor_mul({arguments});\n\
+             (void)y;\n(void)z;\n}}\n"
+        );
+        once(arguments, &(texts(&corpus().files), gcc.name()), || {
+            let folder = lay_out_needed(&corpus().files, &program).expect("the C");
+            let caller = folder.path().join("caller.c");
+            std::fs::write(&caller, &program).expect("a source");
+            let said = run(gcc.command().arg("-fsyntax-only").arg(&caller));
+            let seen = matches!(&said, Err(said) if said.contains("-Werror=restrict"));
+            assert_eq!(seen, reported, "{arguments}: {said:?}");
+            assert!(seen || said.is_ok(), "{arguments}: {said:?}");
+        });
+    }
+}
+
 /// gcc's vectors contract on processors that can, whatever they are reported. In the full run, the whole corpus goes through.
 #[test]
 fn no_processor_changes_bits() {

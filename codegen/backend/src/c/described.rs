@@ -1,11 +1,12 @@
 //! Additions to the author's comments: units, ranges, and the element order of matrices.
 
 use bessemer_ir::attributes::Range;
-use bessemer_ir::{Const, Function, Given, Type};
+use bessemer_ir::{Const, Function, Given, Module, StructId, Type};
 
 use super::matrices::Layout;
-use super::names::Names;
-use super::signature::{Param, Signature};
+use super::names::{Names, OVERLAY};
+use super::outside::{self, Outside};
+use super::signature::{Param, Returned, Signature};
 
 /// Width of a comment line, in characters.
 const WIDTH: usize = 92;
@@ -45,7 +46,12 @@ fn told(
 
 /// Returns the doc comment of a function, with units and ranges of its parameters, the unit of its result, and the
 /// element order of matrices.
-pub fn function(names: &Names, function: &Function, signature: &Signature) -> Vec<String> {
+pub fn function(
+    module: &Module,
+    names: &Names,
+    function: &Function,
+    signature: &Signature,
+) -> Vec<String> {
     let mut lines = function.docs.clone();
     let attributes = &function.attributes;
     let of = |(name, given): &(String, Given)| {
@@ -64,6 +70,7 @@ pub fn function(names: &Names, function: &Function, signature: &Signature) -> Ve
     if !ranges.is_empty() {
         add(&mut lines, format!("Ranges: {}.", ranges.join(", ")));
     }
+    unchecked(module, names, function, signature, &mut lines);
     // Those that lie alike, together.
     let mut orders: Vec<(String, Vec<String>)> = Vec::new();
     for Param { name, ty, .. } in &signature.params {
@@ -81,6 +88,37 @@ pub fn function(names: &Names, function: &Function, signature: &Signature) -> Ve
     }
     lines.extend(said);
     lines
+}
+
+/// Adds the enums that an entry point without a status cannot check, each with the enumerator that an invalid value counts as.
+fn unchecked(
+    module: &Module,
+    names: &Names,
+    function: &Function,
+    signature: &Signature,
+    lines: &mut Vec<String>,
+) {
+    if signature.returned == Returned::Status {
+        return;
+    }
+    let shown = |it: Outside| {
+        let own = &names.enums[it.id.index()].variants;
+        let parameter = signature.params.get(it.parameter)?;
+        let field = |&(of, at): &(StructId, usize)| {
+            let name = &names.structs[of.index()].fields[at];
+            format!(".{}", name.trim_start_matches(OVERLAY))
+        };
+        let path: String = it.path.iter().map(field).collect();
+        let last = own.last().filter(|_| own.len() > 1)?;
+        Some(format!("`{}{path}` as `{last}`", parameter.name))
+    };
+    let shown: Vec<String> =
+        outside::enums(module, function).into_iter().filter_map(shown).collect();
+    if !shown.is_empty() {
+        add(lines, "No enum is checked, since no status is returned.".to_owned());
+        add(lines, "A value that is no enumerator takes the last case of each switch.".to_owned());
+        add(lines, format!("Elsewhere it counts as the last enumerator: {}.", shown.join(", ")));
+    }
 }
 
 /// Returns the comment with the author's expression of a value.

@@ -7,28 +7,29 @@
 
 mod about;
 mod constants;
+mod draft;
 mod includes;
 mod inline;
 mod kernel;
+mod promises;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::{EnumId, Form, Function, FunctionId, Owner, Span, StructId, Type};
 
 use super::analysis::{inline_callees, reachable};
-use super::assemble::assemble;
 use super::context::{Context, Uses};
 use super::file::CFile;
 use super::library::{self, is_mathematics};
 use super::names::OVERLAY;
 use super::options::Options;
-use super::shell::Shell;
 use super::signature::Returned;
 use super::tree::{Declarator, Head, Item, Member, Origin, Stmt, StmtKind, Storage, plain};
 use super::{
     asked, described, helpers_header, init, lower, self_test, sizes, status_header, target,
 };
 use crate::kernels;
+use draft::Draft;
 use includes::Includes;
 
 /// Contents of one pair of files.
@@ -55,7 +56,7 @@ enum Callable {
 
 /// Returns all files, in the order of their names.
 pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
-    let mut list = Vec::new();
+    let (mut list, mut drafts) = (Vec::new(), Vec::new());
     let (mut helpers, mut consts) = (BTreeSet::new(), BTreeSet::new());
     let mut called = BTreeSet::new();
     if context.faults.any() {
@@ -63,17 +64,19 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     }
     for (name, unit) in units(context) {
         let writer = Writer { context, options, name, unit };
-        list.push(writer.header());
+        drafts.push(writer.header());
         if writer.unit.functions.iter().any(|callable| writer.in_header(callable).is_none()) {
             let (source, mut uses) = writer.source();
-            list.push(source);
+            drafts.push(source);
             helpers.append(&mut uses.helpers);
             consts.append(&mut uses.consts);
             called.append(&mut uses.called);
         }
     }
     let (inline, mut uses) = inline::shared(context, options, &called);
-    list.extend(inline);
+    drafts.extend(inline);
+    list.extend(promises::write(context, options, &mut drafts));
+    list.extend(drafts.into_iter().map(|draft| draft.print(context, options)));
     helpers.append(&mut uses.helpers);
     consts.append(&mut uses.consts);
     list.extend(helpers_header::header(context, options, &helpers));
@@ -213,7 +216,7 @@ impl Writer<'_> {
         }
     }
 
-    fn header(&self) -> CFile {
+    fn header(&self) -> Draft {
         let mut items = Vec::new();
         let mut includes = Includes::default();
         let mut done = Vec::new();
@@ -240,11 +243,11 @@ impl Writer<'_> {
                 }
             }
         }
-        self.file("h", &items, includes)
+        self.draft("h", items, includes)
     }
 
     /// Returns the source file, and what it requires of the shared files.
-    fn source(&self) -> (CFile, Uses) {
+    fn source(&self) -> (Draft, Uses) {
         let (module, names) = (self.context.module, self.context.names);
         let mut uses = Uses { file: self.options.header(&self.name), ..Uses::default() };
         let mut includes = Includes::default();
@@ -290,7 +293,7 @@ impl Writer<'_> {
             items.extend(part.into_iter().map(|(_, item)| item));
         }
         includes.uses(self.context, self.options, &mut uses);
-        (self.file("c", &items, includes), uses)
+        (self.draft("c", items, includes), uses)
     }
 
     /// Returns the definition of a function, and records its requirements.
@@ -328,7 +331,7 @@ impl Writer<'_> {
             body = by_instruction(fast, name, &head, body);
         }
         let declared = signature.storage == Storage::Extern;
-        let docs = || described::function(names, function, signature);
+        let docs = || described::function(self.context.module, names, function, signature);
         Item::Function {
             docs: if declared { Vec::new() } else { docs() },
             head,
@@ -351,8 +354,12 @@ impl Writer<'_> {
     fn prototype(&self, id: FunctionId, documented: bool) -> Item {
         let function = &self.context.module.functions[id.index()];
         let docs = || {
-            let mut docs =
-                described::function(self.context.names, function, self.context.names.signature(id));
+            let mut docs = described::function(
+                self.context.module,
+                self.context.names,
+                function,
+                self.context.names.signature(id),
+            );
             if let Some(kernel) = &function.kernel
                 && kernels::is_fast(kernel, &self.options.kernels)
             {
@@ -485,41 +492,29 @@ impl Writer<'_> {
         }
     }
 
-    fn file(&self, extension: &str, items: &[Item], includes: Includes) -> CFile {
+    fn draft(&self, extension: &str, items: Vec<Item>, includes: Includes) -> Draft {
         let header = self.options.header(&self.name);
-        let name = if extension == "h" { header.clone() } else { format!("{}.c", self.name) };
+        let is_header = extension == "h";
         let source: Vec<&str> = match self.unit.kernel {
             true => vec!["its kernels"],
             false => self.unit.modules.iter().map(String::as_str).collect(),
         };
-        let shell = Shell {
-            file: &name,
-            header: &header,
-            summary: &self.summary(),
-            about: self.about(extension),
-            source: &if source.is_empty() {
+        Draft {
+            name: if is_header { header.clone() } else { format!("{}.c", self.name) },
+            header,
+            summary: self.summary(),
+            about: self.about(extension).to_vec(),
+            source: if source.is_empty() {
                 self.context.module.name.clone()
             } else {
                 source.join(", ")
             },
-            license: &self.options.license,
-            system_includes: includes.system(),
-            own_includes: includes.own(&header),
-            calls: items.iter().any(declares),
-            refuses: true,
-            computes: extension == "h"
+            public: true,
+            computes: is_header
                 && self.unit.functions.iter().any(|it| self.in_header(it).is_some()),
-        };
-        assemble(self.context, &name, &shell, extension == "h", items)
-    }
-}
-
-/// Returns true if the item declares a function that other files may call.
-fn declares(item: &Item) -> bool {
-    match item {
-        Item::Prototype { .. } => true,
-        Item::Function { head, .. } => head.storage == Storage::Inline,
-        _ => false,
+            items,
+            includes,
+        }
     }
 }
 

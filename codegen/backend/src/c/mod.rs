@@ -8,6 +8,7 @@
 //! every loop is bounded. This module knows nothing of the front end, and does not change the IR.
 
 mod analysis;
+mod apart;
 mod asked;
 mod assemble;
 mod choices;

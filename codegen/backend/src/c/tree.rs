@@ -181,6 +181,18 @@ pub enum Init {
     },
 }
 
+impl Init {
+    /// Returns the values in the initialiser.
+    pub fn expressions(&self) -> Vec<&Expr> {
+        match self {
+            Init::Value(value) => vec![value],
+            Init::List { items, .. } => {
+                items.iter().flat_map(|(_, item)| item.expressions()).collect()
+            }
+        }
+    }
+}
+
 /// Layout of a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lines {
@@ -291,6 +303,26 @@ pub enum StmtKind {
 }
 
 impl StmtKind {
+    /// Returns the expressions in the statement, without those of its blocks.
+    pub fn expressions(&self) -> Vec<&Expr> {
+        match self {
+            StmtKind::Declare(_, Some(init)) => init.expressions(),
+            StmtKind::Expr(value) | StmtKind::Return(Some(value)) => vec![value],
+            StmtKind::Assign(place, _, value) => vec![place, value],
+            StmtKind::Build(place, _, init) => {
+                std::iter::once(place).chain(init.expressions()).collect()
+            }
+            StmtKind::If { condition, .. } | StmtKind::While { condition, .. } => vec![condition],
+            StmtKind::Switch { scrutinee, .. } => vec![scrutinee],
+            StmtKind::For { init: (_, first), condition, step, .. } => match step {
+                Some(Step::Expr(value)) => vec![first, condition, value],
+                Some(Step::Assign(place, value)) => vec![first, condition, place, value],
+                None => vec![first, condition],
+            },
+            _ => Vec::new(),
+        }
+    }
+
     /// Returns the blocks in the statement.
     pub fn blocks(&self) -> Vec<&Vec<Stmt>> {
         match self {

@@ -177,7 +177,7 @@ fn options_name_things() {
     compilers::check("options", &files);
     let header = files.iter().find(|file| file.name == "acme_mixer.h").expect("it has a component");
     for wanted in [
-        "acme_status_t acme_mixer_step(acme_mixer_t *self",
+        "ACME_MUST_USE acme_status_t acme_mixer_step(acme_mixer_t *ACME_RESTRICT self",
         "SPDX-License-Identifier: Apache-2.0",
         "#ifndef ACME_MIXER_H",
     ] {

@@ -2,7 +2,7 @@
 
 /* best_of.c */
 
-void best_of_cheapest(const best_of_way_t ways[4], best_of_way_t *way)
+void best_of_cheapest(const best_of_way_t ways[4], best_of_way_t *BESSEMER_RESTRICT way)
 {
     option_best_of_way_t found = {.is_some = false};
     option_u16_t least = {.is_some = false};
@@ -28,7 +28,7 @@ void best_of_cheapest(const best_of_way_t ways[4], best_of_way_t *way)
     }
 }
 
-void best_of_nearest(const float values[5], float to, option_usize_t *result)
+void best_of_nearest(const float values[5], float to, option_usize_t *BESSEMER_RESTRICT result)
 {
     option_pair_usize_f32_t best = {.is_some = false};
     for (uint32_t i = 0U; i < 5U; i++) {
@@ -54,7 +54,7 @@ void best_of_nearest(const float values[5], float to, option_usize_t *result)
     result->value = best.value.first;
 }
 
-void best_of_peak(const uint8_t values[5], option_usize_t *result)
+void best_of_peak(const uint8_t values[5], option_usize_t *BESSEMER_RESTRICT result)
 {
     option_pair_usize_u8_t found = {.is_some = false};
     option_u8_t largest = {.is_some = false};

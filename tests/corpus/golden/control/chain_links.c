@@ -17,7 +17,8 @@ double chain_links_energy(const double samples[8], double threshold)
     return sum;
 }
 
-bessemer_status_t chain_links_leading_number(const uint8_t text[6], uint32_t *result)
+bessemer_status_t chain_links_leading_number(const uint8_t text[6],
+    uint32_t *BESSEMER_RESTRICT result)
 {
     uint32_t value = 0U;
     for (uint32_t i = 0U; i < 6U; i++) {
@@ -49,7 +50,8 @@ bessemer_status_t chain_links_leading_number(const uint8_t text[6], uint32_t *re
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t chain_links_highest(const int32_t flows[6], int32_t start, option_i32_t *result)
+bessemer_status_t chain_links_highest(const int32_t flows[6], int32_t start,
+    option_i32_t *BESSEMER_RESTRICT result)
 {
     option_i32_t max = {.is_some = false};
     int32_t level = start;
@@ -95,7 +97,8 @@ float chain_links_folded(const float samples[4], const float coefficients[4])
     return sum;
 }
 
-void chain_links_places(const uint16_t readings[6], pair_option_u16_option_usize_t *result)
+void chain_links_places(const uint16_t readings[6],
+    pair_option_u16_option_usize_t *BESSEMER_RESTRICT result)
 {
     uint64_t left = UINT64_C(1);
     result->first.is_some = false;

@@ -12,7 +12,7 @@ double programs_control_chains_power(const double samples[8])
 }
 
 bessemer_status_t programs_control_chains_weighted(const int32_t values[4],
-    const int32_t weights[4], int32_t most, int32_t *result)
+    const int32_t weights[4], int32_t most, int32_t *BESSEMER_RESTRICT result)
 {
     int32_t sum = 0;
     for (uint32_t i = 0U; i < 4U; i++) {

@@ -17,7 +17,7 @@ double chunks_busiest(const double values[8])
 }
 
 bessemer_status_t chunks_passed(const uint8_t bytes[10], uint64_t used, uint32_t limit,
-    option_usize_t *result)
+    option_usize_t *BESSEMER_RESTRICT result)
 {
     const uint32_t used_2 = (uint32_t)min_u64(used, UINT64_C(10));
     uint32_t sum = 0U;
@@ -47,7 +47,8 @@ bessemer_status_t chunks_passed(const uint8_t bytes[10], uint64_t used, uint32_t
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t chunks_leading_number(const uint8_t text[6], option_u16_t *result)
+bessemer_status_t chunks_leading_number(const uint8_t text[6],
+    option_u16_t *BESSEMER_RESTRICT result)
 {
     uint16_t number = 0U;
     for (uint32_t i = 0U; i < 6U; i++) {
@@ -79,7 +80,8 @@ bessemer_status_t chunks_leading_number(const uint8_t text[6], option_u16_t *res
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t chunks_first_run(const int32_t values[8], int32_t limit, int32_t *result)
+bessemer_status_t chunks_first_run(const int32_t values[8], int32_t limit,
+    int32_t *BESSEMER_RESTRICT result)
 {
     int32_t sum = 0;
     for (uint32_t i = 0U; i < 8U; i++) {

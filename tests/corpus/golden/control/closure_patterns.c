@@ -20,7 +20,7 @@ uint8_t closure_patterns_good(const closure_patterns_track_t tracks[6], float li
 }
 
 void closure_patterns_next(const closure_patterns_track_t tracks[6], uint64_t after, float limit,
-    option_usize_t *result)
+    option_usize_t *BESSEMER_RESTRICT result)
 {
     option_pair_usize_closure_patterns_track_t find = {.is_some = false};
     for (uint32_t i = 0U; i < 6U; i++) {
@@ -52,7 +52,7 @@ int64_t closure_patterns_together(const int32_t a[4], const int32_t b[4])
     return sum;
 }
 
-void closure_patterns_ends(const int32_t values[5], pair_i32_i32_t *result)
+void closure_patterns_ends(const int32_t values[5], pair_i32_i32_t *BESSEMER_RESTRICT result)
 {
     result->first = I32_MAX;
     result->second = I32_MIN;
@@ -76,7 +76,8 @@ int32_t closure_patterns_scaled(const pair_i32_i32_t *pair, const pair_i32_i32_t
     return result_value ^ result_value_2 ^ result_value_3;
 }
 
-void closure_patterns_counted(const option_u8_t *value, uint8_t n, triple_u8_u32_u8x3_t *result)
+void closure_patterns_counted(const option_u8_t *value, uint8_t n,
+    triple_u8_u32_u8x3_t *BESSEMER_RESTRICT result)
 {
     uint8_t result_choice;
     if (value->is_some) {

@@ -2,7 +2,8 @@
 
 /* closures.c */
 
-void closures_response(double gain, double corner, const double at[3], double result[3])
+void closures_response(double gain, double corner, const double at[3],
+    double result[BESSEMER_RESTRICT 3])
 {
     for (uint32_t i = 0U; i < 3U; i++) {
         const double frequency = at[i];

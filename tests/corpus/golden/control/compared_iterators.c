@@ -3,7 +3,7 @@
 /* compared_iterators.c */
 
 void compared_iterators_compared(const int16_t a[5], const int16_t b[4],
-    triple_ordering_bool_bool_t *result)
+    triple_ordering_bool_bool_t *BESSEMER_RESTRICT result)
 {
     uint32_t others_taken = 0U;
     ordering_t order = ORDERING_EQUAL;
@@ -110,7 +110,8 @@ void compared_iterators_compared(const int16_t a[5], const int16_t b[4],
     result->third = result_holds_3;
 }
 
-void compared_iterators_floats(const double x[3], const double y[3], uint64_t n, bool result[4])
+void compared_iterators_floats(const double x[3], const double y[3], uint64_t n,
+    bool result[BESSEMER_RESTRICT 4])
 {
     const uint32_t count = (uint32_t)(n % UINT64_C(4));
     uint32_t others_taken = 0U;
@@ -262,7 +263,7 @@ void compared_iterators_floats(const double x[3], const double y[3], uint64_t n,
 }
 
 void compared_iterators_best(const int16_t a[5], const double x[4],
-    tuple4_option_i16_option_f64_option_i16_option_usize_t *result)
+    tuple4_option_i16_option_f64_option_i16_option_usize_t *BESSEMER_RESTRICT result)
 {
     result->first.is_some = false;
     result->first.value = 0;
@@ -341,7 +342,8 @@ void compared_iterators_best(const int16_t a[5], const double x[4],
     }
 }
 
-bool compared_iterators_raised(int16_t a[3], int16_t b[3], int16_t limit)
+bool compared_iterators_raised(int16_t a[BESSEMER_RESTRICT 3], int16_t b[BESSEMER_RESTRICT 3],
+    int16_t limit)
 {
     bool chain_done = false;
     for (uint32_t i = 0U; i < 3U; i++) {

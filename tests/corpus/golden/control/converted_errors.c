@@ -2,13 +2,15 @@
 
 /* converted_errors.c */
 
-void drive_fault_from_frame_fault(const frame_fault_t *fault, drive_fault_t *drive_fault)
+void drive_fault_from_frame_fault(const frame_fault_t *fault,
+    drive_fault_t *BESSEMER_RESTRICT drive_fault)
 {
     drive_fault->tag = DRIVE_FAULT_TAG_LINK;
     drive_fault->link = *fault;
 }
 
-void fault_code_from_drive_fault(const drive_fault_t *fault, fault_code_t *fault_code)
+void fault_code_from_drive_fault(const drive_fault_t *fault,
+    fault_code_t *BESSEMER_RESTRICT fault_code)
 {
     if (fault->tag == DRIVE_FAULT_TAG_OVERLOAD) {
         fault_code->value = 1U;
@@ -20,7 +22,8 @@ void fault_code_from_drive_fault(const drive_fault_t *fault, fault_code_t *fault
     }
 }
 
-void converted_errors_payload(const uint8_t frame[3], result_u16_frame_fault_t *result)
+void converted_errors_payload(const uint8_t frame[3],
+    result_u16_frame_fault_t *BESSEMER_RESTRICT result)
 {
     if (frame[0] == 85U) {
         const uint8_t low = frame[1];
@@ -45,7 +48,8 @@ void converted_errors_payload(const uint8_t frame[3], result_u16_frame_fault_t *
     }
 }
 
-void converted_errors_current(const uint8_t frame[3], float limit, result_f32_drive_fault_t *result)
+void converted_errors_current(const uint8_t frame[3], float limit,
+    result_f32_drive_fault_t *BESSEMER_RESTRICT result)
 {
     result_u16_frame_fault_t current_outcome;
     converted_errors_payload(frame, &current_outcome);
@@ -70,7 +74,7 @@ void converted_errors_current(const uint8_t frame[3], float limit, result_f32_dr
 }
 
 void converted_errors_total(const uint8_t one[3], const uint8_t other[3], float limit,
-    result_f32_fault_code_t *result)
+    result_f32_fault_code_t *BESSEMER_RESTRICT result)
 {
     result_f32_drive_fault_t outcome;
     converted_errors_current(one, limit, &outcome);

@@ -2,7 +2,8 @@
 
 /* early_return.c */
 
-bessemer_status_t early_return_search(const uint16_t table[8], uint16_t wanted, uint64_t *result)
+bessemer_status_t early_return_search(const uint16_t table[8], uint16_t wanted,
+    uint64_t *BESSEMER_RESTRICT result)
 {
     uint32_t low = 0U;
     uint32_t high = 8U;

@@ -2,7 +2,7 @@
 
 /* for_ranges.c */
 
-bessemer_status_t for_ranges_window(const int16_t values[8], int32_t result[2])
+bessemer_status_t for_ranges_window(const int16_t values[8], int32_t result[BESSEMER_RESTRICT 2])
 {
     int32_t sum = 0;
     int32_t negative = 0;

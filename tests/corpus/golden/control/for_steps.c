@@ -36,7 +36,7 @@ bessemer_status_t for_steps_thirds(uint8_t from, uint8_t to, uint32_t *sum)
 }
 
 bessemer_status_t for_steps_every(const double values[10], uint64_t count, uint64_t step,
-    double *sum)
+    double *BESSEMER_RESTRICT sum)
 {
     double sum_value = 0.0;
     const uint32_t i_end = (uint32_t)min_u64(count, UINT64_C(10));

@@ -21,7 +21,7 @@ double gathered_moment(const double samples[5])
     return sum;
 }
 
-bessemer_status_t gathered_added(uint16_t sums[4], const uint8_t parts[3])
+bessemer_status_t gathered_added(uint16_t sums[BESSEMER_RESTRICT 4], const uint8_t parts[3])
 {
     for (uint32_t i = 0U; i < 3U; i++) {
         if ((int64_t)sums[i] + (int64_t)(uint16_t)parts[i] > INT64_C(65535)) {
@@ -32,7 +32,8 @@ bessemer_status_t gathered_added(uint16_t sums[4], const uint8_t parts[3])
     return BESSEMER_STATUS_OK;
 }
 
-void gathered_largest(const double values[4], uint64_t count, option_f64_t *result)
+void gathered_largest(const double values[4], uint64_t count,
+    option_f64_t *BESSEMER_RESTRICT result)
 {
     result->is_some = false;
     result->value = 0.0;
@@ -50,7 +51,7 @@ void gathered_largest(const double values[4], uint64_t count, option_f64_t *resu
     }
 }
 
-bessemer_status_t gathered_balance(const int32_t values[5], int32_t *result)
+bessemer_status_t gathered_balance(const int32_t values[5], int32_t *BESSEMER_RESTRICT result)
 {
     option_i32_t reduced = {.is_some = false};
     for (uint32_t i = 0U; i < 5U; i++) {

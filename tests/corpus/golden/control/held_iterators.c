@@ -3,7 +3,7 @@
 /* held_iterators.c */
 
 bessemer_status_t held_iterators_made_before(const double samples[4], uint64_t n, bool is_asked,
-    double *sum)
+    double *BESSEMER_RESTRICT sum)
 {
     if (n < UINT64_C(1)) {
         return BESSEMER_STATUS_OVERFLOW;
@@ -55,7 +55,7 @@ bessemer_status_t held_iterators_made_before(const double samples[4], uint64_t n
 }
 
 bessemer_status_t held_iterators_changed_since(const int32_t samples[6], uint64_t first,
-    int32_t *sum)
+    int32_t *BESSEMER_RESTRICT sum)
 {
     uint32_t left = (uint32_t)(first & UINT64_C(3));
     const uint32_t count = left;

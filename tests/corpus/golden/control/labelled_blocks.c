@@ -35,7 +35,8 @@ uint8_t labelled_blocks_level(float temperature, float rise)
     }
 }
 
-bessemer_status_t labelled_blocks_arm(bool ready, float voltage, bool *armed, uint8_t *refusals)
+bessemer_status_t labelled_blocks_arm(bool ready, float voltage, bool *BESSEMER_RESTRICT armed,
+    uint8_t *BESSEMER_RESTRICT refusals)
 {
     if (!ready) {
         if (*refusals > 254U) {

@@ -33,7 +33,7 @@ bessemer_status_t late_ends_power_above(uint32_t n, uint32_t *power)
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t late_ends_turned(const list5_u8_t *values, list5_u8_t *turned)
+bessemer_status_t late_ends_turned(const list5_u8_t *values, list5_u8_t *BESSEMER_RESTRICT turned)
 {
     list5_u8_t left = *values;
     list5_u8_t turned_value = {.length = UINT64_C(0), .items = {0U, 0U, 0U, 0U, 0U}};
@@ -57,7 +57,7 @@ bessemer_status_t late_ends_turned(const list5_u8_t *values, list5_u8_t *turned)
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t late_ends_trimmed(const list5_u8_t *values, uint64_t *result)
+bessemer_status_t late_ends_trimmed(const list5_u8_t *values, uint64_t *BESSEMER_RESTRICT result)
 {
     list5_u8_t left = *values;
     while (left.length != UINT64_C(0)) {

@@ -101,7 +101,8 @@ uint32_t leaving_closures_first_above(const uint8_t rows[2][3], uint8_t least)
     return result_left + result_choice_2;
 }
 
-bessemer_status_t leaving_closures_by_name(const float values[4], float k, float *result)
+bessemer_status_t leaving_closures_by_name(const float values[4], float k,
+    float *BESSEMER_RESTRICT result)
 {
     float halves = -0.0F;
     for (uint32_t i = 0U; i < 4U; i++) {

@@ -2,7 +2,7 @@
 
 /* loops_in_loops.c */
 
-void loops_in_loops_sorted(const int16_t values[5], int16_t result[5])
+void loops_in_loops_sorted(const int16_t values[5], int16_t result[BESSEMER_RESTRICT 5])
 {
     int16_t own_values[5];
     (void)memcpy(own_values, values, sizeof(int16_t[5]));

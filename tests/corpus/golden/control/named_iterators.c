@@ -17,7 +17,8 @@ double named_iterators_spread(const double samples[8])
     return sum_2 / count;
 }
 
-void named_iterators_twice(const int32_t samples[5], int32_t least, pair_u32_i32_t *result)
+void named_iterators_twice(const int32_t samples[5], int32_t least,
+    pair_u32_i32_t *BESSEMER_RESTRICT result)
 {
     uint32_t count = 0U;
     for (uint32_t i = 0U; i < 5U; i++) {
@@ -37,7 +38,7 @@ void named_iterators_twice(const int32_t samples[5], int32_t least, pair_u32_i32
 }
 
 bessemer_status_t named_iterators_weighted(const uint16_t samples[6], const uint16_t weights[6],
-    uint32_t *sum)
+    uint32_t *BESSEMER_RESTRICT sum)
 {
     uint32_t sum_value = 0U;
     for (uint32_t i = 0U; i < 6U; i++) {

@@ -11,7 +11,8 @@ float bin_take(bin_t *self)
     return a * a + b * b;
 }
 
-void numbered_strongest(bin_t bins[4], option_pair_usize_f32_t *result)
+void numbered_strongest(bin_t bins[BESSEMER_RESTRICT 4],
+    option_pair_usize_f32_t *BESSEMER_RESTRICT result)
 {
     *result = (option_pair_usize_f32_t){.is_some = false};
     for (uint32_t i = 0U; i < 4U; i++) {
@@ -30,7 +31,8 @@ void numbered_strongest(bin_t bins[4], option_pair_usize_f32_t *result)
     }
 }
 
-bessemer_status_t numbered_weighted(const int16_t values[6], int16_t least, int64_t *sum)
+bessemer_status_t numbered_weighted(const int16_t values[6], int16_t least,
+    int64_t *BESSEMER_RESTRICT sum)
 {
     int64_t sum_value = INT64_C(0);
     uint32_t next = 0U;
@@ -64,7 +66,8 @@ uint32_t numbered_every_second(uint8_t count)
     return a;
 }
 
-float numbered_gathered(bin_t first[2], bin_t second[3], float x)
+float numbered_gathered(bin_t first[BESSEMER_RESTRICT 2], bin_t second[BESSEMER_RESTRICT 3],
+    float x)
 {
     float sum = 0.0F;
     for (uint32_t i = 0U; i < 2U; i++) {

@@ -39,7 +39,7 @@ uint8_t one_after_another_checksum(const uint8_t header[3], const list6_u8_t *pa
 }
 
 void one_after_another_first_zero(const int16_t before[3], const int16_t now[2],
-    option_usize_t *result)
+    option_usize_t *BESSEMER_RESTRICT result)
 {
     result->is_some = false;
     result->value = UINT64_C(0);
@@ -58,7 +58,8 @@ void one_after_another_first_zero(const int16_t before[3], const int16_t now[2],
     }
 }
 
-bessemer_status_t one_after_another_left(const int16_t samples[7], int32_t *result)
+bessemer_status_t one_after_another_left(const int16_t samples[7],
+    int32_t *BESSEMER_RESTRICT result)
 {
     int32_t sum = 0;
     for (uint32_t i = 0U; i < 4U; i++) {
@@ -73,7 +74,7 @@ bessemer_status_t one_after_another_left(const int16_t samples[7], int32_t *resu
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t one_after_another_right(const int16_t samples[7], int32_t *sum)
+bessemer_status_t one_after_another_right(const int16_t samples[7], int32_t *BESSEMER_RESTRICT sum)
 {
     int32_t sum_value = 0;
     for (uint32_t i = 0U; i < 3U; i++) {

@@ -2,7 +2,8 @@
 
 /* optional_elements.c */
 
-bessemer_status_t optional_elements_total(const option_u8_t readings[5], uint32_t *sum)
+bessemer_status_t optional_elements_total(const option_u8_t readings[5],
+    uint32_t *BESSEMER_RESTRICT sum)
 {
     uint32_t sum_value = 0U;
     for (uint32_t i = 0U; i < 5U; i++) {
@@ -17,7 +18,7 @@ bessemer_status_t optional_elements_total(const option_u8_t readings[5], uint32_
     return BESSEMER_STATUS_OK;
 }
 
-void optional_elements_largest_half(const int32_t values[5], option_i32_t *result)
+void optional_elements_largest_half(const int32_t values[5], option_i32_t *BESSEMER_RESTRICT result)
 {
     result->is_some = false;
     result->value = 0;

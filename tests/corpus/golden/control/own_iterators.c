@@ -19,7 +19,8 @@ void programs_control_own_iterators_ramp_new(int32_t from, int32_t to, int32_t s
 }
 
 bessemer_status_t programs_control_own_iterators_ramp_next(
-    programs_control_own_iterators_ramp_t *self, option_i32_t *result)
+    programs_control_own_iterators_ramp_t *BESSEMER_RESTRICT self,
+    option_i32_t *BESSEMER_RESTRICT result)
 {
     if (self->at == self->goal) {
         result->is_some = false;
@@ -108,7 +109,7 @@ bessemer_status_t programs_control_own_iterators_taken(int32_t from, int32_t to,
 }
 
 bessemer_status_t programs_control_own_iterators_followed(const int32_t values[5], int32_t to,
-    int32_t *sum)
+    int32_t *BESSEMER_RESTRICT sum)
 {
     bessemer_status_t status;
     int32_t sum_value = 0;

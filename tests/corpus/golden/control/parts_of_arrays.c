@@ -12,7 +12,8 @@ double parts_of_arrays_steepest(const double values[8])
     return steepest;
 }
 
-bessemer_status_t parts_of_arrays_sums(const uint16_t samples[9], uint32_t sums[3])
+bessemer_status_t parts_of_arrays_sums(const uint16_t samples[9],
+    uint32_t sums[BESSEMER_RESTRICT 3])
 {
     uint32_t sums_value[3];
     for (uint32_t i = 0U; i < 3U; i++) {

@@ -60,7 +60,8 @@ bessemer_status_t pieces_butterflies(float data[8])
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t pieces_read_again(float data[6], uint64_t at, float *sum)
+bessemer_status_t pieces_read_again(float data[BESSEMER_RESTRICT 6], uint64_t at,
+    float *BESSEMER_RESTRICT sum)
 {
     if (at > UINT64_C(6)) {
         return BESSEMER_STATUS_INDEX;
@@ -84,7 +85,7 @@ bessemer_status_t pieces_read_again(float data[6], uint64_t at, float *sum)
 }
 
 bessemer_status_t pieces_sums(const int32_t values[], uint64_t values_length, uint64_t size,
-    int32_t sums[4])
+    int32_t sums[BESSEMER_RESTRICT 4])
 {
     int32_t sums_value[4] = {0, 0, 0, 0};
     if (size == UINT64_C(0)) {
@@ -121,7 +122,8 @@ bessemer_status_t pieces_sums(const int32_t values[], uint64_t values_length, ui
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t pieces_windows(const double values[6], uint64_t size, pair_f64_f64_t *result)
+bessemer_status_t pieces_windows(const double values[6], uint64_t size,
+    pair_f64_f64_t *BESSEMER_RESTRICT result)
 {
     double most = 0.0;
     if (size == UINT64_C(0)) {

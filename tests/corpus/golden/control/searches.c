@@ -2,7 +2,7 @@
 
 /* searches.c */
 
-void searches_largest(const int32_t counts[6], option_i32_t *result)
+void searches_largest(const int32_t counts[6], option_i32_t *BESSEMER_RESTRICT result)
 {
     result->is_some = false;
     result->value = 0;
@@ -21,7 +21,8 @@ void searches_largest(const int32_t counts[6], option_i32_t *result)
     }
 }
 
-void searches_over(const double channels[5], const double limits[5], option_usize_t *result)
+void searches_over(const double channels[5], const double limits[5],
+    option_usize_t *BESSEMER_RESTRICT result)
 {
     result->is_some = false;
     result->value = UINT64_C(0);
@@ -34,7 +35,7 @@ void searches_over(const double channels[5], const double limits[5], option_usiz
     }
 }
 
-void searches_empty(const float cells[8], option_f32_t *result)
+void searches_empty(const float cells[8], option_f32_t *BESSEMER_RESTRICT result)
 {
     result->is_some = false;
     result->value = 0.0F;

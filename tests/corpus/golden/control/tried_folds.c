@@ -2,7 +2,7 @@
 
 /* tried_folds.c */
 
-void tried_folds_total(const uint8_t values[5], option_u8_t *result)
+void tried_folds_total(const uint8_t values[5], option_u8_t *BESSEMER_RESTRICT result)
 {
     result->is_some = true;
     result->value = 0U;
@@ -16,7 +16,7 @@ void tried_folds_total(const uint8_t values[5], option_u8_t *result)
 }
 
 bessemer_status_t tried_folds_number(const uint8_t digits[4],
-    result_u16_tried_folds_trouble_t *result)
+    result_u16_tried_folds_trouble_t *BESSEMER_RESTRICT result)
 {
     result_u16_tried_folds_trouble_t tried = {.is_ok = true, .value = 0U};
     for (uint32_t i = 0U; i < 4U; i++) {
@@ -63,7 +63,7 @@ void tried_folds_return_letter(result_u16_tried_folds_trouble_t *result)
     result->error = TRIED_FOLDS_TROUBLE_LETTER;
 }
 
-void tried_folds_span(const float readings[4], option_pair_f32_f32_t *result)
+void tried_folds_span(const float readings[4], option_pair_f32_f32_t *BESSEMER_RESTRICT result)
 {
     result->is_some = true;
     result->value.first = INFINITY;

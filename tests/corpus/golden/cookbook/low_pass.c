@@ -8,8 +8,8 @@ void biquad_filter_init(biquad_filter_t *self)
     self->memory[1] = 0.0F;
 }
 
-float biquad_filter_step(biquad_filter_t *self, const biquad_coefficients_t *coefficients,
-    float sample)
+float biquad_filter_step(biquad_filter_t *BESSEMER_RESTRICT self,
+    const biquad_coefficients_t *coefficients, float sample)
 {
     const float output = coefficients->b[0] * sample + self->memory[0];
     self->memory[0] = coefficients->b[1] * sample - coefficients->a[0] * output + self->memory[1];
@@ -17,8 +17,8 @@ float biquad_filter_step(biquad_filter_t *self, const biquad_coefficients_t *coe
     return output;
 }
 
-void biquad_filter_preset(biquad_filter_t *self, const biquad_coefficients_t *coefficients,
-    float sample)
+void biquad_filter_preset(biquad_filter_t *BESSEMER_RESTRICT self,
+    const biquad_coefficients_t *coefficients, float sample)
 {
     self->memory[1] = (coefficients->b[2] - coefficients->a[1]) * sample;
     self->memory[0] = (coefficients->b[1] - coefficients->a[0]) * sample + self->memory[1];

@@ -23,8 +23,8 @@ void pi_controller_init(pi_controller_t *self)
     self->integral = 0.0F;
 }
 
-float pi_controller_step(pi_controller_t *self, const pi_parameters_t *parameters, float target,
-    float measured)
+float pi_controller_step(pi_controller_t *BESSEMER_RESTRICT self, const pi_parameters_t *parameters,
+    float target, float measured)
 {
     const float error = target - measured;
     const float integral = self->integral + parameters->integral * parameters->period * error;
@@ -39,7 +39,8 @@ float pi_controller_step(pi_controller_t *self, const pi_parameters_t *parameter
     return output;
 }
 
-void pi_controller_preset(pi_controller_t *self, const pi_parameters_t *parameters, float output)
+void pi_controller_preset(pi_controller_t *BESSEMER_RESTRICT self,
+    const pi_parameters_t *parameters, float output)
 {
     self->integral = min_f32(max_f32(output, parameters->low), parameters->high);
 }

@@ -11,8 +11,8 @@ void position_servo_init(position_servo_t *self)
     self->countdown = 0U;
 }
 
-float position_servo_step(position_servo_t *self, const servo_parameters_t *parameters,
-    float target, float position, float speed)
+float position_servo_step(position_servo_t *BESSEMER_RESTRICT self,
+    const servo_parameters_t *parameters, float target, float position, float speed)
 {
     if (self->countdown == 0U) {
         self->countdown = SPEED_PERIODS;

@@ -57,7 +57,7 @@ void pump_control_init(pump_control_t *self)
     self->state.tag = PUMP_STATE_TAG_OFF;
 }
 
-bool pump_control_step(pump_control_t *self, const pump_inputs_t *inputs)
+bool pump_control_step(pump_control_t *BESSEMER_RESTRICT self, const pump_inputs_t *inputs)
 {
     if (self->state.tag == PUMP_STATE_TAG_LOCKED_OUT) {
         if (inputs->acknowledge && !inputs->demand) {
@@ -94,7 +94,7 @@ bool pump_control_step(pump_control_t *self, const pump_inputs_t *inputs)
     return self->state.tag == PUMP_STATE_TAG_PRIMING || self->state.tag == PUMP_STATE_TAG_RUNNING;
 }
 
-void pump_control_state(const pump_control_t *self, pump_state_t *pump_state)
+void pump_control_state(const pump_control_t *self, pump_state_t *BESSEMER_RESTRICT pump_state)
 {
     *pump_state = self->state;
 }

@@ -2,7 +2,7 @@
 
 /* q15_filter.c */
 
-void q15_mul(const q15_t *self, const q15_t *other, q15_t *q15)
+void q15_mul(const q15_t *self, const q15_t *other, q15_t *BESSEMER_RESTRICT q15)
 {
     const int32_t wide = shift_right_i32(
         (int32_t)self->value * (int32_t)other->value + shift_left_i32(1, 14U), 15U);
@@ -23,8 +23,8 @@ void q15_low_pass_init(q15_low_pass_t *self)
     self->level = 0;
 }
 
-void q15_low_pass_step(q15_low_pass_t *self, const q15_t *gain, const q15_t *share,
-    const q15_t *sample, q15_t *q15)
+void q15_low_pass_step(q15_low_pass_t *BESSEMER_RESTRICT self, const q15_t *gain,
+    const q15_t *share, const q15_t *sample, q15_t *BESSEMER_RESTRICT q15)
 {
     q15_t q15_value;
     q15_mul(gain, sample, &q15_value);

@@ -7,7 +7,8 @@ void rate_limiter_init(rate_limiter_t *self)
     self->output = 0.0F;
 }
 
-float rate_limiter_step(rate_limiter_t *self, const slew_limits_t *limits, float target)
+float rate_limiter_step(rate_limiter_t *BESSEMER_RESTRICT self, const slew_limits_t *limits,
+    float target)
 {
     const float highest = self->output + limits->rise * limits->period;
     const float lowest = self->output - limits->fall * limits->period;

@@ -10,7 +10,8 @@ void recent_init(recent_t *self)
     self->values[3] = 0;
 }
 
-void recent_push(recent_t *self, int32_t value, int32_t before[4])
+void recent_push(recent_t *BESSEMER_RESTRICT self, int32_t value,
+    int32_t before[BESSEMER_RESTRICT 4])
 {
     before[0] = self->values[0];
     before[1] = self->values[1];

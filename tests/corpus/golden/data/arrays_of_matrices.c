@@ -2,7 +2,7 @@
 
 /* arrays_of_matrices.c */
 
-void arrays_of_matrices_centre(const double points[4][2], double result[2])
+void arrays_of_matrices_centre(const double points[4][2], double result[BESSEMER_RESTRICT 2])
 {
     double sum[2] = {0.0, 0.0};
     for (uint32_t i = 0U; i < 4U; i++) {

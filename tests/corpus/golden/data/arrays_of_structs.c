@@ -2,7 +2,8 @@
 
 /* arrays_of_structs.c */
 
-void arrays_of_structs_current(const waypoint_t plan[4], double time, waypoint_t *found)
+void arrays_of_structs_current(const waypoint_t plan[4], double time,
+    waypoint_t *BESSEMER_RESTRICT found)
 {
     *found = plan[0];
     for (uint32_t i = 1U; i < 4U; i++) {

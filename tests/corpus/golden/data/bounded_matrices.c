@@ -49,8 +49,8 @@ bessemer_status_t measured_keep(measured_t *self, uint64_t sensor, uint64_t time
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t measured_products(measured_t *self,
-    bounded_matrix_f64_4_4_t *bounded_matrix_f64_4_4)
+bessemer_status_t measured_products(measured_t *BESSEMER_RESTRICT self,
+    bounded_matrix_f64_4_4_t *BESSEMER_RESTRICT bounded_matrix_f64_4_4)
 {
     bessemer_status_t status;
     if (self->fault != BESSEMER_STATUS_OK) {
@@ -67,7 +67,8 @@ bessemer_status_t measured_products(measured_t *self,
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t measured_limited(measured_t *self, double most, double *result)
+bessemer_status_t measured_limited(measured_t *BESSEMER_RESTRICT self, double most,
+    double *BESSEMER_RESTRICT result)
 {
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;

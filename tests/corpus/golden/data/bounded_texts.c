@@ -21,7 +21,7 @@ void log_channel_init(log_channel_t *self)
     self->fault = BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t log_channel_rename(log_channel_t *self, const text_12_t *name)
+bessemer_status_t log_channel_rename(log_channel_t *BESSEMER_RESTRICT self, const text_12_t *name)
 {
     bessemer_status_t status;
     if (self->fault != BESSEMER_STATUS_OK) {
@@ -39,7 +39,8 @@ bessemer_status_t log_channel_rename(log_channel_t *self, const text_12_t *name)
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t log_channel_number(log_channel_t *self, uint8_t number, text_8_t *text_8)
+bessemer_status_t log_channel_number(log_channel_t *BESSEMER_RESTRICT self, uint8_t number,
+    text_8_t *BESSEMER_RESTRICT text_8)
 {
     bessemer_status_t status;
     if (self->fault != BESSEMER_STATUS_OK) {
@@ -54,7 +55,8 @@ bessemer_status_t log_channel_number(log_channel_t *self, uint8_t number, text_8
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t log_channel_is_length(log_channel_t *self, bool *result)
+bessemer_status_t log_channel_is_length(log_channel_t *BESSEMER_RESTRICT self,
+    bool *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     if (self->fault != BESSEMER_STATUS_OK) {

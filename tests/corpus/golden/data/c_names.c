@@ -54,7 +54,8 @@ void Valve_init(Valve_t *self)
     self->fault = BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t Valve_step(Valve_t *pThis, const ValveOrder_t *pOrder, float *pFlow)
+bessemer_status_t Valve_step(Valve_t *BESSEMER_RESTRICT pThis, const ValveOrder_t *pOrder,
+    float *BESSEMER_RESTRICT pFlow)
 {
     if (pThis->fault != BESSEMER_STATUS_OK) {
         return pThis->fault;

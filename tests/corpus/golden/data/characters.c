@@ -47,7 +47,8 @@ uint8_t characters_class(uint32_t code)
     }
 }
 
-bessemer_status_t characters_value(const uint8_t bytes[4], uint8_t base, uint32_t *value)
+bessemer_status_t characters_value(const uint8_t bytes[4], uint8_t base,
+    uint32_t *BESSEMER_RESTRICT value)
 {
     bessemer_status_t status;
     const uint32_t base_2 = (uint32_t)(uint8_t)(base & 0xFU) + 2U;

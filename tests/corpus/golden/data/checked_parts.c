@@ -2,7 +2,8 @@
 
 /* checked_parts.c */
 
-void checked_parts_parity(const uint8_t line[8], uint64_t from, uint64_t to, option_u8_t *result)
+void checked_parts_parity(const uint8_t line[8], uint64_t from, uint64_t to,
+    option_u8_t *BESSEMER_RESTRICT result)
 {
     if (!(from <= to && to <= UINT64_C(8))) {
         result->is_some = false;
@@ -17,7 +18,8 @@ void checked_parts_parity(const uint8_t line[8], uint64_t from, uint64_t to, opt
     result->value = sum;
 }
 
-bessemer_status_t checked_parts_payload_sum(const uint8_t frame[8], uint32_t *result)
+bessemer_status_t checked_parts_payload_sum(const uint8_t frame[8],
+    uint32_t *BESSEMER_RESTRICT result)
 {
     const uint32_t value_to = 2U + (uint32_t)frame[1];
     if (!(2U <= value_to && value_to <= 8U)) {
@@ -35,7 +37,8 @@ bessemer_status_t checked_parts_payload_sum(const uint8_t frame[8], uint32_t *re
     return BESSEMER_STATUS_OK;
 }
 
-void checked_parts_behind(const uint8_t line[8], uint64_t from, option_usize_t *result)
+void checked_parts_behind(const uint8_t line[8], uint64_t from,
+    option_usize_t *BESSEMER_RESTRICT result)
 {
     (void)line;
     if (from > UINT64_C(8)) {
@@ -60,7 +63,8 @@ bool checked_parts_clear_up_to(uint8_t line[8], uint64_t last)
     }
 }
 
-void checked_parts_count_up(uint8_t line[8], uint64_t index, option_u8_t *result)
+void checked_parts_count_up(uint8_t line[BESSEMER_RESTRICT 8], uint64_t index,
+    option_u8_t *BESSEMER_RESTRICT result)
 {
     if (index >= UINT64_C(8)) {
         result->is_some = false;
@@ -85,7 +89,7 @@ uint16_t checked_parts_few(const list4_u8_t *values)
 }
 
 bessemer_status_t checked_parts_number(const uint8_t frame[6], uint64_t at,
-    result_u16_checked_parts_missing_t *result)
+    result_u16_checked_parts_missing_t *BESSEMER_RESTRICT result)
 {
     if (at > UINT64_C(0xFFFFFFFFFFFFFFFD)) {
         return BESSEMER_STATUS_OVERFLOW;
@@ -121,7 +125,7 @@ bessemer_status_t checked_parts_number(const uint8_t frame[6], uint64_t at,
 }
 
 bessemer_status_t checked_parts_sum_up_to(const uint8_t frame[6], uint64_t end,
-    result_u16_checked_parts_missing_t *result)
+    result_u16_checked_parts_missing_t *BESSEMER_RESTRICT result)
 {
     if (end > UINT64_C(6)) {
         result->is_ok = false;
@@ -142,7 +146,7 @@ bessemer_status_t checked_parts_sum_up_to(const uint8_t frame[6], uint64_t end,
 }
 
 void checked_parts_speed_on(const list4_checked_parts_leg_t *route, uint64_t index,
-    option_f64_t *result)
+    option_f64_t *BESSEMER_RESTRICT result)
 {
     if (index >= min_u64(route->length, UINT64_C(4))) {
         result->is_some = false;
@@ -154,7 +158,7 @@ void checked_parts_speed_on(const list4_checked_parts_leg_t *route, uint64_t ind
 }
 
 bessemer_status_t checked_parts_last_time(const checked_parts_leg_t route[2], uint64_t count,
-    result_f64_checked_parts_missing_t *result)
+    result_f64_checked_parts_missing_t *BESSEMER_RESTRICT result)
 {
     if (count > UINT64_C(2)) {
         return BESSEMER_STATUS_INDEX;

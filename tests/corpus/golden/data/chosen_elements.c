@@ -2,7 +2,8 @@
 
 /* chosen_elements.c */
 
-void transfers_of(transfers_t *self, uint8_t id, option_element_mut_transfer_t *result)
+void transfers_of(transfers_t *BESSEMER_RESTRICT self, uint8_t id,
+    option_element_mut_transfer_t *BESSEMER_RESTRICT result)
 {
     result->is_some = false;
     result->value.index = UINT64_C(0);
@@ -15,7 +16,8 @@ void transfers_of(transfers_t *self, uint8_t id, option_element_mut_transfer_t *
     }
 }
 
-void transfers_at(transfers_t *self, uint64_t index, result_element_mut_transfer_u8_t *result)
+void transfers_at(transfers_t *BESSEMER_RESTRICT self, uint64_t index,
+    result_element_mut_transfer_u8_t *BESSEMER_RESTRICT result)
 {
     (void)self;
     option_element_mut_transfer_t result_found = {.is_some = false};
@@ -33,7 +35,8 @@ void transfers_at(transfers_t *self, uint64_t index, result_element_mut_transfer
     }
 }
 
-void transfers_worst(transfers_t *self, element_mut_transfer_t *result)
+void transfers_worst(transfers_t *BESSEMER_RESTRICT self,
+    element_mut_transfer_t *BESSEMER_RESTRICT result)
 {
     uint32_t at = 0U;
     for (uint32_t i = 1U; i < 6U; i++) {
@@ -48,7 +51,7 @@ void transfers_worst(transfers_t *self, element_mut_transfer_t *result)
     result->index = at;
 }
 
-void transfers_busy(const transfers_t *self, transfer_t *transfer)
+void transfers_busy(const transfers_t *self, transfer_t *BESSEMER_RESTRICT transfer)
 {
     for (uint32_t i = 0U; i < 6U; i++) {
         if (self->all[i].busy) {
@@ -59,7 +62,8 @@ void transfers_busy(const transfers_t *self, transfer_t *transfer)
     *transfer = self->all[0];
 }
 
-void transfers_begun(transfers_t *self, uint8_t id, option_element_mut_transfer_t *result)
+void transfers_begun(transfers_t *BESSEMER_RESTRICT self, uint8_t id,
+    option_element_mut_transfer_t *BESSEMER_RESTRICT result)
 {
     option_element_mut_transfer_t free = {.is_some = false};
     for (uint32_t i = 0U; i < 6U; i++) {
@@ -169,7 +173,7 @@ uint16_t chosen_elements_mark(transfers_t *transfers, uint8_t id)
     }
 }
 
-void chosen_elements_first(const transfers_t *transfers, pair_u8_u16_t *result)
+void chosen_elements_first(const transfers_t *transfers, pair_u8_u16_t *BESSEMER_RESTRICT result)
 {
     transfer_t transfer;
     transfers_busy(transfers, &transfer);
@@ -179,7 +183,8 @@ void chosen_elements_first(const transfers_t *transfers, pair_u8_u16_t *result)
     result->second = transfer_2.tries;
 }
 
-void chosen_elements_end(transfers_t *transfers, uint64_t index, result_u16_u8_t *result)
+void chosen_elements_end(transfers_t *BESSEMER_RESTRICT transfers, uint64_t index,
+    result_u16_u8_t *BESSEMER_RESTRICT result)
 {
     result_element_mut_transfer_u8_t outcome;
     transfers_at(transfers, index, &outcome);
@@ -262,8 +267,8 @@ bessemer_status_t chosen_elements_set(float readings[5], uint64_t index, float t
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t chosen_elements_frame_put(chosen_elements_frame_t *self, uint8_t byte,
-    result_element_mut_chosen_elements_frame_u8_t *result)
+bessemer_status_t chosen_elements_frame_put(chosen_elements_frame_t *BESSEMER_RESTRICT self,
+    uint8_t byte, result_element_mut_chosen_elements_frame_u8_t *BESSEMER_RESTRICT result)
 {
     const uint32_t value_index = (uint32_t)self->length;
     if (value_index < 5U) {
@@ -284,8 +289,8 @@ bessemer_status_t chosen_elements_frame_put(chosen_elements_frame_t *self, uint8
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t chosen_elements_frame_put_word(chosen_elements_frame_t *self, uint16_t word,
-    result_element_mut_chosen_elements_frame_u8_t *result)
+bessemer_status_t chosen_elements_frame_put_word(chosen_elements_frame_t *BESSEMER_RESTRICT self,
+    uint16_t word, result_element_mut_chosen_elements_frame_u8_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     const uint8_t elements[2] = {(uint8_t)(word >> 8U), (uint8_t)word};
@@ -307,8 +312,8 @@ bessemer_status_t chosen_elements_frame_put_word(chosen_elements_frame_t *self, 
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t chosen_elements_framed(chosen_elements_frame_t *frame, uint8_t command,
-    uint16_t argument, result_u8_u8_t *result)
+bessemer_status_t chosen_elements_framed(chosen_elements_frame_t *BESSEMER_RESTRICT frame,
+    uint8_t command, uint16_t argument, result_u8_u8_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     result_element_mut_chosen_elements_frame_u8_t outcome;

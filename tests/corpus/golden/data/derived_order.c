@@ -16,7 +16,7 @@ bool derived_order_is_low(const height_t *height, const height_t *limit)
     return result_holds;
 }
 
-void derived_order_lowest(const height_t heights[3], height_t *least)
+void derived_order_lowest(const height_t heights[3], height_t *BESSEMER_RESTRICT least)
 {
     *least = heights[0];
     for (uint32_t i = 0U; i < 3U; i++) {
@@ -35,7 +35,7 @@ bool derived_order_is_read(const derived_order_version_t *one, const derived_ord
 }
 
 bessemer_status_t derived_order_newer(const derived_order_version_t *one,
-    const derived_order_version_t *other, derived_order_version_t *version)
+    const derived_order_version_t *other, derived_order_version_t *BESSEMER_RESTRICT version)
 {
     bessemer_status_t status;
     const derived_order_version_t first = {.major = 1U, .minor = 2U, .patch = 0U};
@@ -59,7 +59,8 @@ ordering_t derived_order_order(const derived_order_key_t *one, const derived_ord
     return comparison_reversed(ordering_order);
 }
 
-void derived_order_sorted(const derived_order_key_t keys[4], derived_order_key_t sorted[4])
+void derived_order_sorted(const derived_order_key_t keys[4],
+    derived_order_key_t sorted[BESSEMER_RESTRICT 4])
 {
     (void)memcpy(sorted, keys, sizeof(derived_order_key_t[4]));
     derived_order_sort_by_in_sorted(sorted, UINT64_C(4));
@@ -95,7 +96,7 @@ static void derived_order_sort_by_in_sorted(derived_order_key_t values[], uint64
 }
 
 void derived_order_place_of(const derived_order_key_t keys[4], const derived_order_key_t *limit,
-    option_usize_t *result)
+    option_usize_t *BESSEMER_RESTRICT result)
 {
     result->is_some = false;
     result->value = UINT64_C(0);
@@ -118,7 +119,8 @@ void derived_order_place_of(const derived_order_key_t keys[4], const derived_ord
     }
 }
 
-void derived_order_compared(const height_t *one, const height_t *other, option_ordering_t *result)
+void derived_order_compared(const height_t *one, const height_t *other,
+    option_ordering_t *BESSEMER_RESTRICT result)
 {
     comparison_partial_height(one, other, result);
 }

@@ -4,7 +4,8 @@
 
 static const int32_t STEPS[4][2] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}};
 
-bessemer_status_t enum_arrays_walked(const enum_arrays_way_t path[5], int32_t place[2])
+bessemer_status_t enum_arrays_walked(const enum_arrays_way_t path[5],
+    int32_t place[BESSEMER_RESTRICT 2])
 {
     int32_t place_value[2] = {0, 0};
     for (uint32_t i = 0U; i < 5U; i++) {

@@ -11,7 +11,7 @@ void exchanges_put_in_order(limits_t *limits)
     }
 }
 
-void exchanges_flip(uint8_t front[6], uint8_t back[6])
+void exchanges_flip(uint8_t front[BESSEMER_RESTRICT 6], uint8_t back[BESSEMER_RESTRICT 6])
 {
     uint8_t kept[6];
     (void)memcpy(kept, front, sizeof(uint8_t[6]));
@@ -27,7 +27,8 @@ double exchanges_moved(double *last, double now)
     return now - result_choice;
 }
 
-void exchanges_noted(option_limits_t *note, option_limits_t *result)
+void exchanges_noted(option_limits_t *BESSEMER_RESTRICT note,
+    option_limits_t *BESSEMER_RESTRICT result)
 {
     *result = *note;
     *note = (option_limits_t){.is_some = false};

@@ -21,7 +21,8 @@ double smooth_restart(smooth_t *self, double input)
     return self->state.value + 1.0;
 }
 
-bessemer_status_t filled_options_count(option_u8_t *counter, bool *result)
+bessemer_status_t filled_options_count(option_u8_t *BESSEMER_RESTRICT counter,
+    bool *BESSEMER_RESTRICT result)
 {
     if (counter->is_some) {
         if (counter->value > 254U) {
@@ -55,7 +56,8 @@ uint32_t filled_options_pulse(option_u32_t *start, uint32_t now, bool high)
     return now - start->value;
 }
 
-void filled_options_only(const option_f32_t *left, const option_f32_t *right, option_f32_t *result)
+void filled_options_only(const option_f32_t *left, const option_f32_t *right,
+    option_f32_t *BESSEMER_RESTRICT result)
 {
     if (left->is_some && !right->is_some) {
         result->is_some = true;

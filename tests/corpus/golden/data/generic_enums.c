@@ -20,7 +20,7 @@ float generic_enums_middle(const received_f32_t *low, const received_f32_t *high
     return (received_f32_value_or(low, otherwise) + received_f32_value_or(high, otherwise)) / 2.0F;
 }
 
-void generic_enums_aged(const received_f64_t *last, received_f64_t *received)
+void generic_enums_aged(const received_f64_t *last, received_f64_t *BESSEMER_RESTRICT received)
 {
     switch (last->tag) {
     case RECEIVED_F64_TAG_NEW:

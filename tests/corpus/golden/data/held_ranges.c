@@ -19,8 +19,8 @@ void held_ranges_gauge_init(held_ranges_gauge_t *self)
     self->last = 0.0F;
 }
 
-void held_ranges_gauge_step(held_ranges_gauge_t *self, uint16_t number, float value,
-    option_f32_t *result)
+void held_ranges_gauge_step(held_ranges_gauge_t *BESSEMER_RESTRICT self, uint16_t number,
+    float value, option_f32_t *BESSEMER_RESTRICT result)
 {
     if (!range_contains_u16(&self->samples, number)
             || !range_closed_contains_f32(&self->limits, value)) {
@@ -33,7 +33,7 @@ void held_ranges_gauge_step(held_ranges_gauge_t *self, uint16_t number, float va
     result->value = (value - self->limits.start) / (self->limits.end - self->limits.start);
 }
 
-bool held_ranges_gauge_limit(held_ranges_gauge_t *self, float low, float high,
+bool held_ranges_gauge_limit(held_ranges_gauge_t *BESSEMER_RESTRICT self, float low, float high,
     const half_open_u16_t *samples)
 {
     const closed_f32_t limits = {.start = low, .end = high};

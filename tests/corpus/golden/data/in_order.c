@@ -8,7 +8,8 @@ bool in_order_is_usable(const breakpoints_t *table)
     return sort_is_sorted_f64(table->at, count);
 }
 
-bessemer_status_t in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3], bool result[3])
+bessemer_status_t in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3],
+    bool result[BESSEMER_RESTRICT 3])
 {
     list4_u8_t list = {.length = UINT64_C(0), .items = {0U, 0U, 0U, 0U}};
     for (uint8_t k = 0U; k < n % 4U; k++) {

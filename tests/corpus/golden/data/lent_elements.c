@@ -25,7 +25,8 @@ static void lent_elements_halve_ends(float values[], uint64_t values_length)
     }
 }
 
-bessemer_status_t lent_elements_tapered(const float values[5], uint64_t end, float result[5])
+bessemer_status_t lent_elements_tapered(const float values[5], uint64_t end,
+    float result[BESSEMER_RESTRICT 5])
 {
     float own_values[5];
     (void)memcpy(own_values, values, sizeof(float[5]));
@@ -37,7 +38,8 @@ bessemer_status_t lent_elements_tapered(const float values[5], uint64_t end, flo
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t lent_elements_balance(const int16_t values[8], uint64_t middle, int32_t *balance)
+bessemer_status_t lent_elements_balance(const int16_t values[8], uint64_t middle,
+    int32_t *BESSEMER_RESTRICT balance)
 {
     if (middle > UINT64_C(8)) {
         return BESSEMER_STATUS_INDEX;
@@ -82,7 +84,8 @@ static double lent_elements_above(const double values[], uint64_t values_length)
     }
 }
 
-bessemer_status_t lent_elements_above_from(const double values[6], uint64_t start, double *result)
+bessemer_status_t lent_elements_above_from(const double values[6], uint64_t start,
+    double *BESSEMER_RESTRICT result)
 {
     if (start > UINT64_C(5)) {
         return BESSEMER_STATUS_INDEX;

@@ -80,7 +80,7 @@ static void lexical_order_sort_by_in_archive(message_t values[], uint64_t values
 }
 
 void lexical_order_before(const pair_f64_f64_t *one, const pair_f64_f64_t *other,
-    pair_bool_bool_t *result)
+    pair_bool_bool_t *BESSEMER_RESTRICT result)
 {
     result->first = one->first < other->first
         || (one->first == other->first && one->second < other->second);

@@ -2,7 +2,8 @@
 
 /* list_edits.c */
 
-bessemer_status_t list_edits_queued(list6_u8_t *jobs, uint8_t cost, uint64_t *at)
+bessemer_status_t list_edits_queued(list6_u8_t *BESSEMER_RESTRICT jobs, uint8_t cost,
+    uint64_t *BESSEMER_RESTRICT at)
 {
     bessemer_status_t status;
     option_usize_t position = {.is_some = false};
@@ -28,7 +29,8 @@ bessemer_status_t list_edits_queued(list6_u8_t *jobs, uint8_t cost, uint64_t *at
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t list_edits_served(list6_u8_t *jobs, uint8_t limit, uint8_t *first)
+bessemer_status_t list_edits_served(list6_u8_t *BESSEMER_RESTRICT jobs, uint8_t limit,
+    uint8_t *BESSEMER_RESTRICT first)
 {
     bessemer_status_t status;
     uint8_t first_value;
@@ -85,7 +87,8 @@ bessemer_status_t list_edits_message(uint16_t sequence, uint32_t value, list6_u8
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t list_edits_without(const list6_u8_t *list, uint64_t at, list6_u8_t *left)
+bessemer_status_t list_edits_without(const list6_u8_t *list, uint64_t at,
+    list6_u8_t *BESSEMER_RESTRICT left)
 {
     bessemer_status_t status;
     list6_u8_t left_value = *list;

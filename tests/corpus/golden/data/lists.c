@@ -26,7 +26,7 @@ bessemer_status_t lists_keep(lists_t *self, double value)
     return BESSEMER_STATUS_OK;
 }
 
-void lists_mean(lists_t *self, option_f64_t *result)
+void lists_mean(lists_t *BESSEMER_RESTRICT self, option_f64_t *BESSEMER_RESTRICT result)
 {
     double sum = 0.0;
     {
@@ -44,7 +44,7 @@ void lists_mean(lists_t *self, option_f64_t *result)
     }
 }
 
-void lists_last(lists_t *self, option_f64_t *result)
+void lists_last(lists_t *BESSEMER_RESTRICT self, option_f64_t *BESSEMER_RESTRICT result)
 {
     result->is_some = false;
     result->value = 0.0;

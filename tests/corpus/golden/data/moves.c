@@ -2,7 +2,7 @@
 
 /* moves.c */
 
-void moves_swapped(const two_t *two, two_t *result)
+void moves_swapped(const two_t *two, two_t *BESSEMER_RESTRICT result)
 {
     two_t own_two = *two;
     const int64_t first = own_two.first;
@@ -11,7 +11,7 @@ void moves_swapped(const two_t *two, two_t *result)
     *result = own_two;
 }
 
-void moves_both(const two_t *two, two_t result[2])
+void moves_both(const two_t *two, two_t result[BESSEMER_RESTRICT 2])
 {
     two_t result_swapped;
     moves_swapped(two, &result_swapped);

@@ -2,7 +2,8 @@
 
 /* nested_structs.c */
 
-void nested_structs_widened(const servo_t *servo, const span_t *margin, servo_t *wide)
+void nested_structs_widened(const servo_t *servo, const span_t *margin,
+    servo_t *BESSEMER_RESTRICT wide)
 {
     *wide = *servo;
     wide->angle.low -= margin->low;

@@ -2,7 +2,7 @@
 
 /* newtypes.c */
 
-void newtypes_metres(const feet_t *feet, newtypes_metres_t *metres)
+void newtypes_metres(const feet_t *feet, newtypes_metres_t *BESSEMER_RESTRICT metres)
 {
     metres->value = feet->value * 0.3048;
 }

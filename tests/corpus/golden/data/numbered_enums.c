@@ -62,7 +62,8 @@ void numbered_enums_numbers(numbered_enums_kind_t kind, turn_t turn,
     result->fourth = (uint64_t)kind;
 }
 
-bessemer_status_t numbered_enums_sum(const numbered_enums_frame_t *frame, int32_t *sum)
+bessemer_status_t numbered_enums_sum(const numbered_enums_frame_t *frame,
+    int32_t *BESSEMER_RESTRICT sum)
 {
     int32_t sum_value;
     if (frame->answer.is_some) {
@@ -152,7 +153,8 @@ void statistics_init(statistics_t *self)
     self->fault = BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t statistics_count(statistics_t *self, numbered_enums_kind_t kind, uint32_t *result)
+bessemer_status_t statistics_count(statistics_t *BESSEMER_RESTRICT self, numbered_enums_kind_t kind,
+    uint32_t *BESSEMER_RESTRICT result)
 {
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;

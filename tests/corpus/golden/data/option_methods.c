@@ -2,7 +2,7 @@
 
 /* option_methods.c */
 
-void option_methods_celsius(const option_u16_t *reading, option_f64_t *result)
+void option_methods_celsius(const option_u16_t *reading, option_f64_t *BESSEMER_RESTRICT result)
 {
     option_u16_t result_choice;
     if (reading->is_some && reading->value < 4095U) {
@@ -22,7 +22,7 @@ void option_methods_celsius(const option_u16_t *reading, option_f64_t *result)
     }
 }
 
-void option_methods_inverted(const option_f32_t *x, option_f32_t *result)
+void option_methods_inverted(const option_f32_t *x, option_f32_t *BESSEMER_RESTRICT result)
 {
     if (x->is_some) {
         const float x_2 = x->value;
@@ -72,7 +72,7 @@ float option_methods_duty(const option_u8_t *command)
 }
 
 void option_methods_both(const option_f64_t *position, const option_f64_t *speed,
-    option_pair_f64_f64_t *result)
+    option_pair_f64_f64_t *BESSEMER_RESTRICT result)
 {
     if (position->is_some && speed->is_some) {
         result->is_some = true;

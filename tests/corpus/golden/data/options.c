@@ -2,7 +2,8 @@
 
 /* programs_data_options.c */
 
-void programs_data_options_slope(const double from[2], const double to[2], option_f64_t *result)
+void programs_data_options_slope(const double from[2], const double to[2],
+    option_f64_t *BESSEMER_RESTRICT result)
 {
     const double run = to[0] - from[0];
     if (run == 0.0) {
@@ -26,7 +27,7 @@ double programs_data_options_slope_or(const double from[2], const double to[2], 
 }
 
 void programs_data_options_better(const option_u8_t *one, const option_u8_t *other,
-    option_u8_t *result)
+    option_u8_t *BESSEMER_RESTRICT result)
 {
     if (one->is_some && other->is_some) {
         const uint8_t a = one->value;

@@ -64,7 +64,7 @@ bool own_equality_same_heading(const heading_t *one, const heading_t *other)
 }
 
 void own_equality_place_of(const bearing_t bearings[3], const bearing_t *wanted,
-    option_usize_t *result)
+    option_usize_t *BESSEMER_RESTRICT result)
 {
     result->is_some = false;
     result->value = UINT64_C(0);

@@ -2,7 +2,8 @@
 
 /* result_methods.c */
 
-void result_methods_value(const uint8_t frame[4], result_u16_frame_error_t *result)
+void result_methods_value(const uint8_t frame[4],
+    result_u16_frame_error_t *BESSEMER_RESTRICT result)
 {
     if (frame[0] < 2U) {
         result->is_ok = false;
@@ -22,7 +23,7 @@ void result_methods_value(const uint8_t frame[4], result_u16_frame_error_t *resu
     result->error = FRAME_ERROR_SHORT;
 }
 
-void result_methods_volts(const uint8_t frame[4], result_f32_link_error_t *result)
+void result_methods_volts(const uint8_t frame[4], result_f32_link_error_t *BESSEMER_RESTRICT result)
 {
     result_f32_frame_error_t result_choice;
     result_u16_frame_error_t raw;
@@ -59,7 +60,7 @@ void result_methods_volts(const uint8_t frame[4], result_f32_link_error_t *resul
 }
 
 void result_methods_total(const uint8_t one[4], const uint8_t other[4],
-    result_u16_frame_error_t *result)
+    result_u16_frame_error_t *BESSEMER_RESTRICT result)
 {
     result_u16_frame_error_t one_outcome;
     result_methods_value(one, &one_outcome);

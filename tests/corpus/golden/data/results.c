@@ -2,7 +2,8 @@
 
 /* results.c */
 
-void results_payload(const uint8_t frame[3], uint8_t len, result_u16_refused_t *result)
+void results_payload(const uint8_t frame[3], uint8_t len,
+    result_u16_refused_t *BESSEMER_RESTRICT result)
 {
     if (len < 3U) {
         result->is_ok = false;

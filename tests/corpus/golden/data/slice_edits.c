@@ -29,7 +29,7 @@ bessemer_status_t slice_edits_consume(uint8_t buffer[8], uint64_t read)
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t slice_edits_is_sentence(const uint8_t text[12], bool *result)
+bessemer_status_t slice_edits_is_sentence(const uint8_t text[12], bool *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     const uint8_t elements[3] = {36U, 71U, 80U};
@@ -50,7 +50,7 @@ bessemer_status_t slice_edits_is_sentence(const uint8_t text[12], bool *result)
     return BESSEMER_STATUS_OK;
 }
 
-void slice_edits_fields(const uint8_t frame[10], pair_u32_i16_t *result)
+void slice_edits_fields(const uint8_t frame[10], pair_u32_i16_t *BESSEMER_RESTRICT result)
 {
     const uint8_t count_bytes[4] = {frame[2], frame[3], frame[4], frame[5]};
     const uint32_t count = ((uint32_t)count_bytes[0] << 24U) | ((uint32_t)count_bytes[1] << 16U)
@@ -60,7 +60,8 @@ void slice_edits_fields(const uint8_t frame[10], pair_u32_i16_t *result)
     result->second = wrap_i16((uint16_t)(((uint32_t)result_bytes[0] << 8U) | result_bytes[1]));
 }
 
-bessemer_status_t slice_edits_field(const list16_u8_t *frame, uint64_t at, option_u32_t *result)
+bessemer_status_t slice_edits_field(const list16_u8_t *frame, uint64_t at,
+    option_u32_t *BESSEMER_RESTRICT result)
 {
     if (at > min_u64(frame->length, UINT64_C(16))) {
         result->is_some = false;
@@ -99,7 +100,7 @@ bessemer_status_t slice_edits_field(const list16_u8_t *frame, uint64_t at, optio
     }
 }
 
-void slice_edits_framed(const list12_u8_t *frame, option_pair_u16_bool_t *result)
+void slice_edits_framed(const list12_u8_t *frame, option_pair_u16_bool_t *BESSEMER_RESTRICT result)
 {
     if (min_u64(frame->length, UINT64_C(12)) < UINT64_C(2)) {
         *result = (option_pair_u16_bool_t){.is_some = false};
@@ -129,7 +130,7 @@ void slice_edits_framed(const list12_u8_t *frame, option_pair_u16_bool_t *result
         | result_bytes_2[1]);
 }
 
-void slice_edits_latest(const int16_t samples[5], pair_i16x3_usize_t *result)
+void slice_edits_latest(const int16_t samples[5], pair_i16x3_usize_t *BESSEMER_RESTRICT result)
 {
     result->first[0] = samples[2];
     result->first[1] = samples[3];

@@ -3,11 +3,12 @@
 /* slice_patterns.c */
 
 static void slice_patterns_span_of(const float values[], uint64_t values_length,
-    option_f32_t *result);
+    option_f32_t *BESSEMER_RESTRICT result);
 static bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t values_length,
-    int16_t *result);
+    int16_t *BESSEMER_RESTRICT result);
 
-bessemer_status_t slice_patterns_decoded(const uint8_t bytes[6], pair_u8_u32_t *result)
+bessemer_status_t slice_patterns_decoded(const uint8_t bytes[6],
+    pair_u8_u32_t *BESSEMER_RESTRICT result)
 {
     uint32_t sum = 0U;
     for (uint32_t i = 1U; i < 6U; i++) {
@@ -23,7 +24,7 @@ bessemer_status_t slice_patterns_decoded(const uint8_t bytes[6], pair_u8_u32_t *
 
 /** The span of some values; `None` if there are none. */
 static void slice_patterns_span_of(const float values[], uint64_t values_length,
-    option_f32_t *result)
+    option_f32_t *BESSEMER_RESTRICT result)
 {
     if (values_length == UINT64_C(0)) {
         result->is_some = false;
@@ -37,7 +38,8 @@ static void slice_patterns_span_of(const float values[], uint64_t values_length,
     }
 }
 
-bessemer_status_t slice_patterns_span(const float values[4], uint64_t end, option_f32_t *result)
+bessemer_status_t slice_patterns_span(const float values[4], uint64_t end,
+    option_f32_t *BESSEMER_RESTRICT result)
 {
     if (end > UINT64_C(4)) {
         return BESSEMER_STATUS_INDEX;
@@ -48,7 +50,7 @@ bessemer_status_t slice_patterns_span(const float values[4], uint64_t end, optio
 
 /** The largest of some values. */
 static bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t values_length,
-    int16_t *result)
+    int16_t *BESSEMER_RESTRICT result)
 {
     if (values_length >= UINT64_C(2)) {
         int16_t most = max_i16(values[0], values[values_length - UINT64_C(1)]);
@@ -76,7 +78,7 @@ static bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t
 }
 
 bessemer_status_t slice_patterns_largest_from(const int16_t values[5], uint64_t start,
-    int16_t *result)
+    int16_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     if (start > UINT64_C(5)) {
@@ -89,7 +91,7 @@ bessemer_status_t slice_patterns_largest_from(const int16_t values[5], uint64_t 
     return BESSEMER_STATUS_OK;
 }
 
-void slice_patterns_tail(const int32_t values[4], int32_t rest[3])
+void slice_patterns_tail(const int32_t values[4], int32_t rest[BESSEMER_RESTRICT 3])
 {
     rest[0] = values[1];
     rest[1] = values[2];

@@ -28,7 +28,8 @@ double programs_data_slices_trend(const double values[8])
     return result_left - programs_data_slices_mean(values, UINT64_C(4));
 }
 
-bessemer_status_t programs_data_slices_window(const double values[8], uint64_t from, double *result)
+bessemer_status_t programs_data_slices_window(const double values[8], uint64_t from,
+    double *BESSEMER_RESTRICT result)
 {
     double part[4];
     if (from > UINT64_C(0xFFFFFFFFFFFFFFFB)) {
@@ -46,7 +47,7 @@ bessemer_status_t programs_data_slices_window(const double values[8], uint64_t f
 }
 
 bessemer_status_t programs_data_slices_peak(const list6_f64_t *values, uint64_t end,
-    option_f64_t *result)
+    option_f64_t *BESSEMER_RESTRICT result)
 {
     if (end > min_u64(values->length, UINT64_C(6))) {
         return BESSEMER_STATUS_INDEX;

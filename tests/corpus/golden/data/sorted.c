@@ -34,7 +34,7 @@ static void sorted_sort_by_in_median(double values[], uint64_t values_length)
     }
 }
 
-void sorted_middle(const list8_u16_t *values, option_u16_t *result)
+void sorted_middle(const list8_u16_t *values, option_u16_t *BESSEMER_RESTRICT result)
 {
     list8_u16_t sorted = *values;
     sort_ascending_u16(sorted.items, min_u64(sorted.length, UINT64_C(8)));
@@ -121,7 +121,7 @@ static void sorted_sort_by_in_downwards(float values[], uint64_t values_length)
     }
 }
 
-void sorted_nearest(const double values[5], double guess, option_f64_t *result)
+void sorted_nearest(const double values[5], double guess, option_f64_t *BESSEMER_RESTRICT result)
 {
     result->is_some = false;
     result->value = 0.0;

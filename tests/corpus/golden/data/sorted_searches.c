@@ -5,9 +5,9 @@
 static uint64_t sorted_searches_partition_point_in_below(const double values[],
     uint64_t values_length, double x);
 static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_point_t values[],
-    uint64_t values_length, uint16_t wanted, result_usize_usize_t *result);
+    uint64_t values_length, uint16_t wanted, result_usize_usize_t *BESSEMER_RESTRICT result);
 static void sorted_searches_binary_search_by_in_nearest(const float values[],
-    uint64_t values_length, float x, result_usize_usize_t *result);
+    uint64_t values_length, float x, result_usize_usize_t *BESSEMER_RESTRICT result);
 
 uint64_t sorted_searches_below(const double steps[6], double x)
 {
@@ -39,13 +39,14 @@ static uint64_t sorted_searches_partition_point_in_below(const double values[],
     return from;
 }
 
-void sorted_searches_place(const uint8_t codes[7], uint8_t code, result_usize_usize_t *result)
+void sorted_searches_place(const uint8_t codes[7], uint8_t code,
+    result_usize_usize_t *BESSEMER_RESTRICT result)
 {
     bessemer_search_binary_search_u8(codes, UINT64_C(7), code, result);
 }
 
 bessemer_status_t sorted_searches_value(const list5_sorted_searches_point_t *points, uint16_t code,
-    option_f64_t *result)
+    option_f64_t *BESSEMER_RESTRICT result)
 {
     result_usize_usize_t at_outcome;
     sorted_searches_binary_search_by_key_in_value(points->items,
@@ -77,7 +78,7 @@ bessemer_status_t sorted_searches_value(const list5_sorted_searches_point_t *poi
  * The index at which such an element could be inserted, if there is none.
  */
 static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_point_t values[],
-    uint64_t values_length, uint16_t wanted, result_usize_usize_t *result)
+    uint64_t values_length, uint16_t wanted, result_usize_usize_t *BESSEMER_RESTRICT result)
 {
     uint64_t from = UINT64_C(0);
     uint64_t left = values_length;
@@ -106,7 +107,8 @@ static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_
     result->error = from;
 }
 
-bessemer_status_t sorted_searches_nearest(const float sorted[5], float x, uint64_t *result)
+bessemer_status_t sorted_searches_nearest(const float sorted[5], float x,
+    uint64_t *BESSEMER_RESTRICT result)
 {
     result_usize_usize_t at;
     sorted_searches_binary_search_by_in_nearest(sorted, UINT64_C(5), x, &at);
@@ -133,7 +135,7 @@ bessemer_status_t sorted_searches_nearest(const float sorted[5], float x, uint64
  * The index at which such an element could be inserted, if there is none.
  */
 static void sorted_searches_binary_search_by_in_nearest(const float values[],
-    uint64_t values_length, float x, result_usize_usize_t *result)
+    uint64_t values_length, float x, result_usize_usize_t *BESSEMER_RESTRICT result)
 {
     uint64_t from = UINT64_C(0);
     uint64_t left = values_length;

@@ -2,7 +2,7 @@
 
 /* struct_update.c */
 
-void struct_update_braked(const drive_t *drive, drive_t *result)
+void struct_update_braked(const drive_t *drive, drive_t *BESSEMER_RESTRICT result)
 {
     result->speed = 0.0F;
     result->torque = drive->torque;

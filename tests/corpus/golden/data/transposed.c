@@ -20,7 +20,8 @@ void transposed_checked(int16_t reading, result_i16_transposed_broken_t *result)
     }
 }
 
-void transposed_perhaps(const option_i16_t *reading, result_option_i16_transposed_broken_t *result)
+void transposed_perhaps(const option_i16_t *reading,
+    result_option_i16_transposed_broken_t *BESSEMER_RESTRICT result)
 {
     result_option_i16_transposed_broken_t reading_choice;
     option_result_i16_transposed_broken_t reading_choice_2;
@@ -70,7 +71,7 @@ void transposed_perhaps(const option_i16_t *reading, result_option_i16_transpose
 }
 
 void transposed_some(const result_option_i16_transposed_broken_t *reading,
-    option_result_i16_transposed_broken_t *result)
+    option_result_i16_transposed_broken_t *BESSEMER_RESTRICT result)
 {
     if (reading->is_ok && reading->value.is_some) {
         result->is_some = true;
@@ -88,7 +89,8 @@ void transposed_some(const result_option_i16_transposed_broken_t *reading,
     }
 }
 
-void transposed_parts(const option_pair_u8_f32_t *pair, pair_option_u8_option_f32_t *result)
+void transposed_parts(const option_pair_u8_f32_t *pair,
+    pair_option_u8_option_f32_t *BESSEMER_RESTRICT result)
 {
     if (pair->is_some) {
         result->first.is_some = true;

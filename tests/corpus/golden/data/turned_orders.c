@@ -72,7 +72,7 @@ static void turned_orders_sort_by_in_put_off(turned_orders_job_t values[], uint6
 }
 
 void turned_orders_ends(const turned_orders_job_t jobs[5],
-    pair_option_turned_orders_job_option_turned_orders_job_t *result)
+    pair_option_turned_orders_job_option_turned_orders_job_t *BESSEMER_RESTRICT result)
 {
     result->first = (option_turned_orders_job_t){.is_some = false};
     option_pair_u8_reverse_i16_t least = {.is_some = false};
@@ -141,7 +141,8 @@ void turned_orders_of_floats(double a, double b, tuple4_bool_bool_bool_option_or
     result->third = !(one.value == other.value);
 }
 
-void turned_orders_least(const uint8_t values[4], uint8_t floor_, option_u8_t *result)
+void turned_orders_least(const uint8_t values[4], uint8_t floor_,
+    option_u8_t *BESSEMER_RESTRICT result)
 {
     option_reverse_u8_t max = {.is_some = false};
     for (uint32_t i = 0U; i < 4U; i++) {
@@ -170,7 +171,7 @@ void turned_orders_least(const uint8_t values[4], uint8_t floor_, option_u8_t *r
 }
 
 void turned_orders_first(const reverse_u8_2_t *held, const reverse_u8_2_t *lent,
-    reverse_u8_2_t *reverse_u8_2)
+    reverse_u8_2_t *BESSEMER_RESTRICT reverse_u8_2)
 {
     if (lent->value[0] < held->value[0]
             || (lent->value[0] == held->value[0] && lent->value[1] < held->value[1])) {

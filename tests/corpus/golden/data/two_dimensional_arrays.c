@@ -3,7 +3,7 @@
 /* two_dimensional_arrays.c */
 
 bessemer_status_t two_dimensional_arrays_smoothed(const float heights[4][5], uint64_t row,
-    uint64_t column, float *result)
+    uint64_t column, float *BESSEMER_RESTRICT result)
 {
     if (row < UINT64_C(1) || row > UINT64_C(2) || column < UINT64_C(1) || column > UINT64_C(3)) {
         return BESSEMER_STATUS_ASSERTION;

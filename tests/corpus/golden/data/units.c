@@ -7,7 +7,8 @@ void air_density_init(air_density_t *self)
     self->density = 0.0F;
 }
 
-float air_density_step(air_density_t *self, const barometer_t *reading, float rate, float period)
+float air_density_step(air_density_t *BESSEMER_RESTRICT self, const barometer_t *reading,
+    float rate, float period)
 {
     self->density += (units_density(reading) - self->density) * rate * period;
     return self->density;

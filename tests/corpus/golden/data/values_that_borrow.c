@@ -3,7 +3,7 @@
 /* store.c */
 
 static void values_that_borrow_store_held(const values_that_borrow_store_t *self,
-    slice_f64_t *result);
+    slice_f64_t *BESSEMER_RESTRICT result);
 
 void values_that_borrow_store_init(values_that_borrow_store_t *self)
 {
@@ -17,15 +17,15 @@ void values_that_borrow_store_init(values_that_borrow_store_t *self)
 
 /** The measurements so far. */
 static void values_that_borrow_store_held(const values_that_borrow_store_t *self,
-    slice_f64_t *result)
+    slice_f64_t *BESSEMER_RESTRICT result)
 {
     const uint32_t result_end = (uint32_t)min_u64(self->count, UINT64_C(4));
     result->from = UINT64_C(0);
     result->length = result_end;
 }
 
-bessemer_status_t values_that_borrow_store_step(values_that_borrow_store_t *self, double value,
-    double *most)
+bessemer_status_t values_that_borrow_store_step(values_that_borrow_store_t *BESSEMER_RESTRICT self,
+    double value, double *BESSEMER_RESTRICT most)
 {
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;
@@ -61,7 +61,7 @@ typedef struct {
 static double loop_respond(loop_t *self, double error);
 
 void values_that_borrow_reader_new(const uint8_t rest[], uint64_t rest_length,
-    values_that_borrow_reader_t *reader)
+    values_that_borrow_reader_t *BESSEMER_RESTRICT reader)
 {
     (void)rest;
     reader->rest.from = UINT64_C(0);
@@ -70,9 +70,9 @@ void values_that_borrow_reader_new(const uint8_t rest[], uint64_t rest_length,
     reader->last.length = UINT64_C(0);
 }
 
-bessemer_status_t values_that_borrow_reader_take(values_that_borrow_reader_t *self,
-    const uint8_t self_rest[], uint64_t self_rest_length, uint64_t count,
-    option_slice_u8_t *result)
+bessemer_status_t values_that_borrow_reader_take(
+    values_that_borrow_reader_t *BESSEMER_RESTRICT self, const uint8_t self_rest[],
+    uint64_t self_rest_length, uint64_t count, option_slice_u8_t *BESSEMER_RESTRICT result)
 {
     (void)self_rest;
     (void)self_rest_length;
@@ -99,8 +99,9 @@ bessemer_status_t values_that_borrow_reader_take(values_that_borrow_reader_t *se
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t values_that_borrow_reader_byte(values_that_borrow_reader_t *self,
-    const uint8_t self_rest[], uint64_t self_rest_length, option_u8_t *result)
+bessemer_status_t values_that_borrow_reader_byte(
+    values_that_borrow_reader_t *BESSEMER_RESTRICT self, const uint8_t self_rest[],
+    uint64_t self_rest_length, option_u8_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     option_slice_u8_t byte;
@@ -124,8 +125,9 @@ bessemer_status_t values_that_borrow_reader_byte(values_that_borrow_reader_t *se
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t values_that_borrow_reader_word(values_that_borrow_reader_t *self,
-    const uint8_t self_rest[], uint64_t self_rest_length, option_u16_t *result)
+bessemer_status_t values_that_borrow_reader_word(
+    values_that_borrow_reader_t *BESSEMER_RESTRICT self, const uint8_t self_rest[],
+    uint64_t self_rest_length, option_u16_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     option_slice_u8_t option;
@@ -158,7 +160,7 @@ bessemer_status_t values_that_borrow_reader_word(values_that_borrow_reader_t *se
 }
 
 bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t packet_length,
-    option_result_values_that_borrow_packet_u8_t *result)
+    option_result_values_that_borrow_packet_u8_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     values_that_borrow_reader_t reader;
@@ -239,7 +241,8 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t values_that_borrow_outcome(const uint8_t packet[8], uint32_t *result)
+bessemer_status_t values_that_borrow_outcome(const uint8_t packet[8],
+    uint32_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     option_result_values_that_borrow_packet_u8_t option = {0};
@@ -285,7 +288,7 @@ bessemer_status_t values_that_borrow_outcome(const uint8_t packet[8], uint32_t *
 }
 
 bessemer_status_t values_that_borrow_outcome_behind(const uint8_t packets[12], uint64_t from,
-    uint32_t *result)
+    uint32_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     if (from > UINT64_C(12)) {
@@ -329,7 +332,7 @@ bessemer_status_t values_that_borrow_outcome_behind(const uint8_t packets[12], u
 }
 
 bessemer_status_t values_that_borrow_halves(const double values[], uint64_t values_length,
-    pair_slice_f64_slice_f64_t *result)
+    pair_slice_f64_slice_f64_t *BESSEMER_RESTRICT result)
 {
     (void)values;
     const uint64_t result_middle = values_length / UINT64_C(2);
@@ -344,7 +347,7 @@ bessemer_status_t values_that_borrow_halves(const double values[], uint64_t valu
 }
 
 bessemer_status_t values_that_borrow_above(const double values[], uint64_t values_length,
-    double limit, slice_f64_t *result)
+    double limit, slice_f64_t *BESSEMER_RESTRICT result)
 {
     slice_f64_t values_left = {.from = UINT64_C(0), .length = values_length};
     for (uint32_t pass = 0U; pass <= 64U; pass++) {
@@ -394,7 +397,8 @@ bessemer_status_t values_that_borrow_above(const double values[], uint64_t value
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t values_that_borrow_seen(const double values[6], pair_f64_usize_t *result)
+bessemer_status_t values_that_borrow_seen(const double values[6],
+    pair_f64_usize_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     pair_slice_f64_slice_f64_t pair;
@@ -440,8 +444,9 @@ bessemer_status_t values_that_borrow_seen(const double values[6], pair_f64_usize
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t writer_put(writer_t *self, uint8_t self_buffer[], uint64_t self_buffer_length,
-    const uint8_t bytes[], uint64_t bytes_length, bool *result)
+bessemer_status_t writer_put(writer_t *BESSEMER_RESTRICT self,
+    uint8_t self_buffer[BESSEMER_RESTRICT], uint64_t self_buffer_length, const uint8_t bytes[],
+    uint64_t bytes_length, bool *BESSEMER_RESTRICT result)
 {
     const uint64_t buffer_length = self->buffer.length;
     if (self->length > buffer_length) {
@@ -471,8 +476,8 @@ bessemer_status_t writer_put(writer_t *self, uint8_t self_buffer[], uint64_t sel
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t writer_finish(const writer_t *self, uint8_t self_buffer[],
-    uint64_t self_buffer_length, slice_u8_t *result)
+bessemer_status_t writer_finish(const writer_t *self, uint8_t self_buffer[BESSEMER_RESTRICT],
+    uint64_t self_buffer_length, slice_u8_t *BESSEMER_RESTRICT result)
 {
     (void)self_buffer;
     (void)self_buffer_length;
@@ -486,8 +491,8 @@ bessemer_status_t writer_finish(const writer_t *self, uint8_t self_buffer[],
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t values_that_borrow_answer(const uint8_t packet[4], uint8_t room[6],
-    uint32_t *result)
+bessemer_status_t values_that_borrow_answer(const uint8_t packet[4],
+    uint8_t room[BESSEMER_RESTRICT 6], uint32_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     writer_t writer = {

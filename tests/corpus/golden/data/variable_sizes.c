@@ -2,7 +2,8 @@
 
 /* variable_sizes.c */
 
-bessemer_status_t variable_sizes_seen(scan_t *scan, const float point[3], const uint8_t hits[2])
+bessemer_status_t variable_sizes_seen(scan_t *BESSEMER_RESTRICT scan, const float point[3],
+    const uint8_t hits[2])
 {
     bessemer_status_t status;
     if (scan->ranges.length >= UINT64_C(5)) {
@@ -26,7 +27,7 @@ bessemer_status_t variable_sizes_seen(scan_t *scan, const float point[3], const 
     return BESSEMER_STATUS_OK;
 }
 
-void variable_sizes_middle(const scan_t *scan, float result[3])
+void variable_sizes_middle(const scan_t *scan, float result[BESSEMER_RESTRICT 3])
 {
     float sum[3] = {0.0F, 0.0F, 0.0F};
     {
@@ -43,7 +44,8 @@ void variable_sizes_middle(const scan_t *scan, float result[3])
     result[2] = sum[2] / result_larger;
 }
 
-bessemer_status_t variable_sizes_strong(const scan_t *scan, uint8_t level, uint32_t *count)
+bessemer_status_t variable_sizes_strong(const scan_t *scan, uint8_t level,
+    uint32_t *BESSEMER_RESTRICT count)
 {
     uint32_t count_value = 0U;
     const uint64_t column_end = bounded_matrix_u8_2_3_ncols(&scan->hits);

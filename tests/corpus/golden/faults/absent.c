@@ -9,7 +9,8 @@ void absent_init(absent_t *self)
     self->fault = BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t absent_delayed(absent_t *self, const option_f64_t *next, double *result)
+bessemer_status_t absent_delayed(absent_t *BESSEMER_RESTRICT self, const option_f64_t *next,
+    double *BESSEMER_RESTRICT result)
 {
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;
@@ -24,7 +25,7 @@ bessemer_status_t absent_delayed(absent_t *self, const option_f64_t *next, doubl
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t absent_taken(absent_t *self, double *result)
+bessemer_status_t absent_taken(absent_t *BESSEMER_RESTRICT self, double *BESSEMER_RESTRICT result)
 {
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;

@@ -9,8 +9,8 @@ void tanks_init(tanks_t *self)
     self->transfers = 0U;
 }
 
-bessemer_status_t tanks_transfer(tanks_t *self, uint64_t to, uint8_t amount, uint8_t *log,
-    uint8_t *result)
+bessemer_status_t tanks_transfer(tanks_t *BESSEMER_RESTRICT self, uint64_t to, uint8_t amount,
+    uint8_t *BESSEMER_RESTRICT log, uint8_t *BESSEMER_RESTRICT result)
 {
     tanks_t next = *self;
     uint8_t next_log = *log;

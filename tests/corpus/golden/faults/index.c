@@ -3,7 +3,7 @@
 /* corpus_programs_faults_index.c */
 
 bessemer_status_t corpus_programs_faults_index_element(const double table[4], uint64_t at,
-    double *result)
+    double *BESSEMER_RESTRICT result)
 {
     if (at >= UINT64_C(4)) {
         return BESSEMER_STATUS_INDEX;

@@ -13,8 +13,9 @@ void programs_faults_order_ring_init(programs_faults_order_ring_t *self)
     self->fault = BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t programs_faults_order_ring_take(programs_faults_order_ring_t *self, float value,
-    uint64_t skip, uint8_t *result)
+bessemer_status_t programs_faults_order_ring_take(
+    programs_faults_order_ring_t *BESSEMER_RESTRICT self, float value, uint64_t skip,
+    uint8_t *BESSEMER_RESTRICT result)
 {
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;

@@ -36,7 +36,7 @@ bessemer_status_t panics_larger(int32_t a, int32_t b, int32_t *larger)
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t panics_required(const option_f64_t *value, double *result)
+bessemer_status_t panics_required(const option_f64_t *value, double *BESSEMER_RESTRICT result)
 {
     if (!value->is_some) {
         return BESSEMER_STATUS_ASSERTION;

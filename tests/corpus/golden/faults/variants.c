@@ -8,7 +8,8 @@ void follower_init(follower_t *self)
     self->fault = BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t follower_step(follower_t *self, wish_t wish, double *result)
+bessemer_status_t follower_step(follower_t *BESSEMER_RESTRICT self, wish_t wish,
+    double *BESSEMER_RESTRICT result)
 {
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;

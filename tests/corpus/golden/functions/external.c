@@ -9,7 +9,7 @@ float external_mean(uint16_t one, uint16_t other)
     return (result_linear + result_linear_2) / 2.0F;
 }
 
-void external_rates(const float raw[3], float scale, float axes[3])
+void external_rates(const float raw[3], float scale, float axes[BESSEMER_RESTRICT 3])
 {
     axes[0] = 0.0F;
     axes[1] = 0.0F;

@@ -13,7 +13,7 @@ bool faults_contains(const faults_t *self, const faults_t *others)
     return faults.value == others->value;
 }
 
-void faults_set(faults_t *self, const faults_t *others, bool there)
+void faults_set(faults_t *BESSEMER_RESTRICT self, const faults_t *others, bool there)
 {
     if (there) {
         faults_bitor_assign(self, others);
@@ -24,37 +24,38 @@ void faults_set(faults_t *self, const faults_t *others, bool there)
     }
 }
 
-void faults_bitor(const faults_t *self, const faults_t *other, faults_t *faults)
+void faults_bitor(const faults_t *self, const faults_t *other, faults_t *BESSEMER_RESTRICT faults)
 {
     faults->value = (uint16_t)(self->value | other->value);
 }
 
-void faults_bitand(const faults_t *self, const faults_t *other, faults_t *faults)
+void faults_bitand(const faults_t *self, const faults_t *other, faults_t *BESSEMER_RESTRICT faults)
 {
     faults->value = (uint16_t)(self->value & other->value);
 }
 
-void faults_bitxor(const faults_t *self, const faults_t *other, faults_t *faults)
+void faults_bitxor(const faults_t *self, const faults_t *other, faults_t *BESSEMER_RESTRICT faults)
 {
     faults->value = (uint16_t)(self->value ^ other->value);
 }
 
-void faults_not(const faults_t *self, faults_t *faults)
+void faults_not(const faults_t *self, faults_t *BESSEMER_RESTRICT faults)
 {
     faults->value = (uint16_t)~self->value;
 }
 
-void faults_bitor_assign(faults_t *self, const faults_t *other)
+void faults_bitor_assign(faults_t *BESSEMER_RESTRICT self, const faults_t *other)
 {
     self->value = (uint16_t)(self->value | other->value);
 }
 
-void faults_bitand_assign(faults_t *self, const faults_t *other)
+void faults_bitand_assign(faults_t *BESSEMER_RESTRICT self, const faults_t *other)
 {
     self->value = (uint16_t)(self->value & other->value);
 }
 
-bessemer_status_t faults_shl_u32(const faults_t *self, uint32_t places, faults_t *faults)
+bessemer_status_t faults_shl_u32(const faults_t *self, uint32_t places,
+    faults_t *BESSEMER_RESTRICT faults)
 {
     if (places >= 16U) {
         return BESSEMER_STATUS_SHIFT;
@@ -72,7 +73,8 @@ bessemer_status_t faults_shr_assign_u32(faults_t *self, uint32_t places)
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t angle_rem(const angle_t *self, const angle_t *part, angle_t *angle)
+bessemer_status_t angle_rem(const angle_t *self, const angle_t *part,
+    angle_t *BESSEMER_RESTRICT angle)
 {
     if (part->value == 0) {
         return BESSEMER_STATUS_DIVISION_BY_ZERO;
@@ -97,7 +99,7 @@ bessemer_status_t angle_rem_assign_i32(angle_t *self, int32_t part)
 }
 
 bessemer_status_t flags_changed(const faults_t *before, const faults_t *now, const faults_t *asked,
-    faults_t *faults)
+    faults_t *BESSEMER_RESTRICT faults)
 {
     bessemer_status_t status;
     faults_t quiet;
@@ -117,7 +119,7 @@ bessemer_status_t flags_changed(const faults_t *before, const faults_t *now, con
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t flags_second(const faults_t *all, bool silent, faults_t *faults)
+bessemer_status_t flags_second(const faults_t *all, bool silent, faults_t *BESSEMER_RESTRICT faults)
 {
     bessemer_status_t status;
     faults_t faults_value = *all;
@@ -138,7 +140,8 @@ bessemer_status_t flags_second(const faults_t *all, bool silent, faults_t *fault
     }
 }
 
-bessemer_status_t flags_within(const angle_t *angle, const angle_t *sector, angle_t *rest)
+bessemer_status_t flags_within(const angle_t *angle, const angle_t *sector,
+    angle_t *BESSEMER_RESTRICT rest)
 {
     bessemer_status_t status;
     angle_t rest_value;

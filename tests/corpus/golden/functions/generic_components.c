@@ -12,7 +12,8 @@ void delay_f64_4_init(delay_f64_4_t *self)
     self->fault = BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t delay_f64_4_push(delay_f64_4_t *self, double value, double *old)
+bessemer_status_t delay_f64_4_push(delay_f64_4_t *BESSEMER_RESTRICT self, double value,
+    double *BESSEMER_RESTRICT old)
 {
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;
@@ -47,7 +48,8 @@ void delayed_init(delayed_t *self)
     self->fault = BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t delayed_step(delayed_t *self, double error, double *result)
+bessemer_status_t delayed_step(delayed_t *BESSEMER_RESTRICT self, double error,
+    double *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     if (self->fault != BESSEMER_STATUS_OK) {

@@ -9,7 +9,8 @@ bool inputs_contains(const inputs_t *self, uint16_t n)
     return n < 16U && ((self->bits >> n) & 1U) == 1U;
 }
 
-void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option_f64_t *result)
+void readings_summary(const readings_t *self,
+    tuple4_usize_f64_option_f64_option_f64_t *BESSEMER_RESTRICT result)
 {
     double steps = 0.0;
     for (uint32_t i = 0U; i < 5U; i++) {
@@ -61,7 +62,7 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
     result->second = steps + area;
 }
 
-void readings_largest(const readings_t *self, option_f64_t *result)
+void readings_largest(const readings_t *self, option_f64_t *BESSEMER_RESTRICT result)
 {
     uint32_t most;
     if (self->valid > UINT64_C(6)) {
@@ -87,7 +88,7 @@ void readings_largest(const readings_t *self, option_f64_t *result)
     }
 }
 
-void readings_before(const readings_t *self, double limit, option_usize_t *result)
+void readings_before(const readings_t *self, double limit, option_usize_t *BESSEMER_RESTRICT result)
 {
     uint32_t next = 0U;
     uint32_t most;
@@ -113,7 +114,7 @@ void readings_before(const readings_t *self, double limit, option_usize_t *resul
 }
 
 bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t *more,
-    uint32_t *result)
+    uint32_t *BESSEMER_RESTRICT result)
 {
     uint32_t sum = 0U;
     for (uint16_t n = 0U; n < (uint16_t)U16_BITS; n++) {
@@ -185,7 +186,8 @@ bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t given_iterators_first_share(uint32_t of, const uint32_t by[3], uint32_t *most)
+bessemer_status_t given_iterators_first_share(uint32_t of, const uint32_t by[3],
+    uint32_t *BESSEMER_RESTRICT most)
 {
     uint32_t most_value = 0U;
     for (uint32_t i = 0U; i < 3U; i++) {

@@ -10,9 +10,10 @@ static const pair_u8_u8_t EXTRAS[5] = {
     {.first = 33U, .second = 104U}
 };
 
-static void inner_functions_order_in_middle(float *low, float *high);
+static void inner_functions_order_in_middle(float *BESSEMER_RESTRICT low,
+    float *BESSEMER_RESTRICT high);
 static void inner_functions_binary_search_by_key_in_extra(const pair_u8_u8_t values[],
-    uint64_t values_length, uint8_t wanted, result_usize_usize_t *result);
+    uint64_t values_length, uint8_t wanted, result_usize_usize_t *BESSEMER_RESTRICT result);
 
 float inner_functions_middle(const float a_b_c_d_e[5])
 {
@@ -33,7 +34,8 @@ float inner_functions_middle(const float a_b_c_d_e[5])
 }
 
 /** Puts two samples in order. */
-static void inner_functions_order_in_middle(float *low, float *high)
+static void inner_functions_order_in_middle(float *BESSEMER_RESTRICT low,
+    float *BESSEMER_RESTRICT high)
 {
     if (*high < *low) {
         const float kept = *low;
@@ -73,7 +75,7 @@ bessemer_status_t inner_functions_extra(uint8_t message, option_u8_t *result)
  * The index at which such an element could be inserted, if there is none.
  */
 static void inner_functions_binary_search_by_key_in_extra(const pair_u8_u8_t values[],
-    uint64_t values_length, uint8_t wanted, result_usize_usize_t *result)
+    uint64_t values_length, uint8_t wanted, result_usize_usize_t *BESSEMER_RESTRICT result)
 {
     uint64_t from = UINT64_C(0);
     uint64_t left = values_length;

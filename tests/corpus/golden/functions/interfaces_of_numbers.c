@@ -40,18 +40,20 @@ int16_t interfaces_of_numbers_i16_doubled(int16_t self)
 }
 
 void interfaces_of_numbers_f64_mul_metres(double self, const interfaces_of_numbers_metres_t *length,
-    interfaces_of_numbers_metres_t *metres)
+    interfaces_of_numbers_metres_t *BESSEMER_RESTRICT metres)
 {
     metres->value = self * length->value;
 }
 
-void interfaces_of_numbers_f64_mul_seconds(double self, const seconds_t *time, seconds_t *seconds)
+void interfaces_of_numbers_f64_mul_seconds(double self, const seconds_t *time,
+    seconds_t *BESSEMER_RESTRICT seconds)
 {
     seconds->value = self * time->value;
 }
 
 void interfaces_of_numbers_i32_mul_metres(int32_t self,
-    const interfaces_of_numbers_metres_t *length, interfaces_of_numbers_metres_t *metres)
+    const interfaces_of_numbers_metres_t *length,
+    interfaces_of_numbers_metres_t *BESSEMER_RESTRICT metres)
 {
     interfaces_of_numbers_f64_mul_metres((double)self, length, metres);
 }

@@ -12,7 +12,8 @@ void axis_widen(axis_t *self, double by)
     self->limit += by;
 }
 
-bessemer_status_t head_wider(const head_t *self, uint64_t i, uint64_t j, axis_t *axis)
+bessemer_status_t head_wider(const head_t *self, uint64_t i, uint64_t j,
+    axis_t *BESSEMER_RESTRICT axis)
 {
     if (i >= UINT64_C(3)) {
         return BESSEMER_STATUS_INDEX;
@@ -30,7 +31,7 @@ bessemer_status_t head_wider(const head_t *self, uint64_t i, uint64_t j, axis_t 
 }
 
 bessemer_status_t lent_places_commanded(const head_t *head, uint64_t i, double error,
-    double *result)
+    double *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     if (i >= UINT64_C(3)) {
@@ -69,7 +70,7 @@ bessemer_status_t lent_places_widened(head_t *head, uint64_t i, double by)
 }
 
 bessemer_status_t lent_places_behind(const double values[], uint64_t values_length,
-    const double other[], uint64_t other_length, uint64_t i, double *result)
+    const double other[], uint64_t other_length, uint64_t i, double *BESSEMER_RESTRICT result)
 {
     if (i < values_length) {
         *result = values[i];
@@ -84,7 +85,7 @@ bessemer_status_t lent_places_behind(const double values[], uint64_t values_leng
 }
 
 bessemer_status_t lent_places_joined(const double left[3], const double right[2], uint64_t i,
-    double *result)
+    double *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     double result_behind;

@@ -3,7 +3,8 @@
 /* programs_functions_named_places.c */
 
 bessemer_status_t programs_functions_named_places_drive(
-    programs_functions_named_places_motor_t motors[4], uint64_t which, float speed, bool *result)
+    programs_functions_named_places_motor_t motors[BESSEMER_RESTRICT 4], uint64_t which,
+    float speed, bool *BESSEMER_RESTRICT result)
 {
     if (which >= UINT64_C(4)) {
         return BESSEMER_STATUS_INDEX;

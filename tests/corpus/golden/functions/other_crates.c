@@ -33,8 +33,8 @@ void other_crates_reading_init(other_crates_reading_t *self)
     self->fault = BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t other_crates_reading_step(other_crates_reading_t *self, double input, bool valid,
-    double *result)
+bessemer_status_t other_crates_reading_step(other_crates_reading_t *BESSEMER_RESTRICT self,
+    double input, bool valid, double *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     if (self->fault != BESSEMER_STATUS_OK) {
@@ -93,7 +93,8 @@ void smooth_gain_init(smooth_gain_t *self)
     self->fault = BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t smooth_gain_step(smooth_gain_t *self, double input, double *result)
+bessemer_status_t smooth_gain_step(smooth_gain_t *BESSEMER_RESTRICT self, double input,
+    double *BESSEMER_RESTRICT result)
 {
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;

@@ -13,7 +13,8 @@ int32_t sides_index_side(const sides_t *self, side_t side)
     }
 }
 
-bessemer_status_t own_indices_levelled(grid_t *grid, uint64_t row, uint64_t column, double *mean)
+bessemer_status_t own_indices_levelled(grid_t *BESSEMER_RESTRICT grid, uint64_t row,
+    uint64_t column, double *BESSEMER_RESTRICT mean)
 {
     if (column >= UINT64_C(4)) {
         return BESSEMER_STATUS_ASSERTION;

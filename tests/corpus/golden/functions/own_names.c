@@ -2,16 +2,17 @@
 
 /* own_names.c */
 
-static void own_names_bank_get_mut(own_names_bank_t *self, uint8_t index,
-    result_u8_own_names_missing_t *result);
-static void own_names_bank_first_mut(const own_names_bank_t *self, option_u8_t *result);
+static void own_names_bank_get_mut(own_names_bank_t *BESSEMER_RESTRICT self, uint8_t index,
+    result_u8_own_names_missing_t *BESSEMER_RESTRICT result);
+static void own_names_bank_first_mut(const own_names_bank_t *self,
+    option_u8_t *BESSEMER_RESTRICT result);
 static uint8_t own_names_bank_swap(own_names_bank_t *self, uint8_t by);
 static uint8_t own_names_bank_sort(const own_names_bank_t *self);
 static uint8_t own_names_bank_chunks(const own_names_bank_t *self, uint8_t size);
 static bool own_names_bank_total_cmp(const own_names_bank_t *self, const own_names_bank_t *other);
 
-static void own_names_bank_get_mut(own_names_bank_t *self, uint8_t index,
-    result_u8_own_names_missing_t *result)
+static void own_names_bank_get_mut(own_names_bank_t *BESSEMER_RESTRICT self, uint8_t index,
+    result_u8_own_names_missing_t *BESSEMER_RESTRICT result)
 {
     if (index >= 4U) {
         result->is_ok = false;
@@ -26,7 +27,8 @@ static void own_names_bank_get_mut(own_names_bank_t *self, uint8_t index,
     result->error.index = 0U;
 }
 
-static void own_names_bank_first_mut(const own_names_bank_t *self, option_u8_t *result)
+static void own_names_bank_first_mut(const own_names_bank_t *self,
+    option_u8_t *BESSEMER_RESTRICT result)
 {
     const bool condition = self->cells[0] > 7U;
     const uint8_t value = self->cells[0];
@@ -60,7 +62,8 @@ static bool own_names_bank_total_cmp(const own_names_bank_t *self, const own_nam
     return self->cells[2] > other->cells[2];
 }
 
-void own_names_use_all(own_names_bank_t *bank, uint8_t index, result_u8_own_names_missing_t *result)
+void own_names_use_all(own_names_bank_t *BESSEMER_RESTRICT bank, uint8_t index,
+    result_u8_own_names_missing_t *BESSEMER_RESTRICT result)
 {
     result_u8_own_names_missing_t cell_outcome;
     own_names_bank_get_mut(bank, index, &cell_outcome);
@@ -83,7 +86,7 @@ void own_names_use_all(own_names_bank_t *bank, uint8_t index, result_u8_own_name
     result->error.index = 0U;
 }
 
-void own_names_much(const own_names_bank_t *bank, option_u8_t *result)
+void own_names_much(const own_names_bank_t *bank, option_u8_t *BESSEMER_RESTRICT result)
 {
     option_u8_t first_option;
     own_names_bank_first_mut(bank, &first_option);
@@ -97,7 +100,7 @@ void own_names_much(const own_names_bank_t *bank, option_u8_t *result)
     result->value = (uint8_t)((uint32_t)first + 1U);
 }
 
-uint8_t own_names_turn(double x_y[2], const pair_u8_f64_t *turns_by)
+uint8_t own_names_turn(double x_y[BESSEMER_RESTRICT 2], const pair_u8_f64_t *turns_by)
 {
     uint8_t turns = turns_by->first;
     const double by = turns_by->second;
@@ -109,7 +112,8 @@ uint8_t own_names_turn(double x_y[2], const pair_u8_f64_t *turns_by)
     return turns;
 }
 
-bessemer_status_t own_names_taken(uint8_t ring[4], uint64_t at, uint8_t by, uint8_t *result)
+bessemer_status_t own_names_taken(uint8_t ring[BESSEMER_RESTRICT 4], uint64_t at, uint8_t by,
+    uint8_t *BESSEMER_RESTRICT result)
 {
     if (at >= UINT64_C(4)) {
         return BESSEMER_STATUS_INDEX;
@@ -124,7 +128,8 @@ bessemer_status_t own_names_taken(uint8_t ring[4], uint64_t at, uint8_t by, uint
     return BESSEMER_STATUS_OK;
 }
 
-void own_names_moved_on(uint8_t ring[4], uint8_t start, pair_u8_u8_t *result)
+void own_names_moved_on(uint8_t ring[BESSEMER_RESTRICT 4], uint8_t start,
+    pair_u8_u8_t *BESSEMER_RESTRICT result)
 {
     uint32_t at = (uint32_t)(uint8_t)(start % 3U);
     const uint32_t place_index = at;

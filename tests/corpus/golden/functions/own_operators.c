@@ -4,49 +4,49 @@
 
 static const phasor_t PHASOR_DEFAULT = {.re = 0.0, .im = 0.0};
 
-void phasor_add(const phasor_t *self, const phasor_t *other, phasor_t *phasor)
+void phasor_add(const phasor_t *self, const phasor_t *other, phasor_t *BESSEMER_RESTRICT phasor)
 {
     phasor->re = self->re + other->re;
     phasor->im = self->im + other->im;
 }
 
-void phasor_sub(const phasor_t *self, const phasor_t *other, phasor_t *phasor)
+void phasor_sub(const phasor_t *self, const phasor_t *other, phasor_t *BESSEMER_RESTRICT phasor)
 {
     phasor_t phasor_other;
     phasor_neg(other, &phasor_other);
     phasor_add(self, &phasor_other, phasor);
 }
 
-void phasor_mul(const phasor_t *self, const phasor_t *other, phasor_t *phasor)
+void phasor_mul(const phasor_t *self, const phasor_t *other, phasor_t *BESSEMER_RESTRICT phasor)
 {
     phasor->re = self->re * other->re - self->im * other->im;
     phasor->im = self->re * other->im + self->im * other->re;
 }
 
-void phasor_mul_f64(const phasor_t *self, double factor, phasor_t *phasor)
+void phasor_mul_f64(const phasor_t *self, double factor, phasor_t *BESSEMER_RESTRICT phasor)
 {
     phasor->re = self->re * factor;
     phasor->im = self->im * factor;
 }
 
-void phasor_mul_i32(const phasor_t *self, int32_t count, phasor_t *phasor)
+void phasor_mul_i32(const phasor_t *self, int32_t count, phasor_t *BESSEMER_RESTRICT phasor)
 {
     phasor_mul_f64(self, (double)count, phasor);
 }
 
-void phasor_div_f64(const phasor_t *self, double divisor, phasor_t *phasor)
+void phasor_div_f64(const phasor_t *self, double divisor, phasor_t *BESSEMER_RESTRICT phasor)
 {
     phasor->re = self->re / divisor;
     phasor->im = self->im / divisor;
 }
 
-void phasor_neg(const phasor_t *self, phasor_t *phasor)
+void phasor_neg(const phasor_t *self, phasor_t *BESSEMER_RESTRICT phasor)
 {
     phasor->re = -self->re;
     phasor->im = -self->im;
 }
 
-void phasor_add_assign(phasor_t *self, const phasor_t *other)
+void phasor_add_assign(phasor_t *BESSEMER_RESTRICT self, const phasor_t *other)
 {
     self->re += other->re;
     self->im += other->im;
@@ -65,7 +65,7 @@ void phasor_from_f64(double re, phasor_t *phasor)
     phasor->im = 0.0;
 }
 
-void phasor_from_pair_f64_f64(const pair_f64_f64_t *parts, phasor_t *phasor)
+void phasor_from_pair_f64_f64(const pair_f64_f64_t *parts, phasor_t *BESSEMER_RESTRICT phasor)
 {
     const double re = parts->first;
     const double im = parts->second;
@@ -99,7 +99,8 @@ void own_operators_phase_try_from_u8(uint8_t letter, result_own_operators_phase_
     }
 }
 
-void own_operators_parallel(const phasor_t *a, const phasor_t *b, phasor_t *phasor)
+void own_operators_parallel(const phasor_t *a, const phasor_t *b,
+    phasor_t *BESSEMER_RESTRICT phasor)
 {
     phasor_t product;
     phasor_mul(a, b, &product);
@@ -112,7 +113,8 @@ void own_operators_parallel(const phasor_t *a, const phasor_t *b, phasor_t *phas
     phasor_div_f64(&phasor_self, length, phasor);
 }
 
-void own_operators_weighted(const phasor_t currents[3], double factor, phasor_t *phasor)
+void own_operators_weighted(const phasor_t currents[3], double factor,
+    phasor_t *BESSEMER_RESTRICT phasor)
 {
     phasor_t sum = PHASOR_DEFAULT;
     for (uint32_t i = 0U; i < 3U; i++) {

@@ -15,7 +15,7 @@ void quantity_seconds_new(double value, quantity_seconds_t *quantity_seconds)
 }
 
 void quantity_metres_plus(const quantity_metres_t *self, const quantity_metres_t *other,
-    quantity_metres_t *quantity_metres)
+    quantity_metres_t *BESSEMER_RESTRICT quantity_metres)
 {
     quantity_metres->value = self->value + other->value;
 }
@@ -33,7 +33,8 @@ double phantom_types_pace(double there, double back, double time)
     return way.value / time_2.value;
 }
 
-void drive_idle_arm(const drive_idle_t *self, double speed, drive_armed_t *drive_armed)
+void drive_idle_arm(const drive_idle_t *self, double speed,
+    drive_armed_t *BESSEMER_RESTRICT drive_armed)
 {
     const double before = self->value;
     drive_armed->value = before + speed;

@@ -18,7 +18,7 @@ double references_mean(const moments_t *moments)
     }
 }
 
-double references_take_both(moments_t *moments, const double values[2])
+double references_take_both(moments_t *BESSEMER_RESTRICT moments, const double values[2])
 {
     references_take(moments, values[0]);
     references_take(moments, values[1]);

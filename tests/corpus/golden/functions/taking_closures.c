@@ -4,8 +4,8 @@
 
 static double taking_closures_root_surplus(double low, double high, double drag, double thrust);
 static double taking_closures_root_in_square_root(double low, double high, double of);
-static bessemer_status_t taking_closures_around_in_swept(uint8_t steps, uint32_t *count,
-    double scale, double *sum);
+static bessemer_status_t taking_closures_around_in_swept(uint8_t steps,
+    uint32_t *BESSEMER_RESTRICT count, double scale, double *BESSEMER_RESTRICT sum);
 
 double taking_closures_top_speed(double thrust, double drag)
 {
@@ -70,8 +70,8 @@ bessemer_status_t taking_closures_swept(uint8_t steps, double scale, pair_f64_u3
 }
 
 /** Calls `visit` with each angle of a circle, rad. */
-static bessemer_status_t taking_closures_around_in_swept(uint8_t steps, uint32_t *count,
-    double scale, double *sum)
+static bessemer_status_t taking_closures_around_in_swept(uint8_t steps,
+    uint32_t *BESSEMER_RESTRICT count, double scale, double *BESSEMER_RESTRICT sum)
 {
     for (uint8_t i = 0U; i < 16U; i++) {
         if (i < steps) {

@@ -95,7 +95,7 @@ static double without_fields_areas_trapezoid(const double samples[4])
     return sum;
 }
 
-void without_fields_compared(const double samples[4], double result[2])
+void without_fields_compared(const double samples[4], double result[BESSEMER_RESTRICT 2])
 {
     result[0] = without_fields_areas_trapezoid(samples);
     result[1] = without_fields_areas_rectangle(samples);

@@ -17,7 +17,7 @@ double cholesky_factor_surprise(const double s[9], const double difference[3])
 }
 
 void cholesky_factor_updated(const double p[4], const double x[2], double weight,
-    option_matrix2x2_f64_t *result)
+    option_matrix2x2_f64_t *BESSEMER_RESTRICT result)
 {
     option_cholesky_factor_f64_2_t factor_option;
     cholesky_factored_f64_2(p, &factor_option);

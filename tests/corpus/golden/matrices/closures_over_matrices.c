@@ -2,7 +2,8 @@
 
 /* closures_over_matrices.c */
 
-void closures_over_matrices_limited(const double a[9], double limit, double result[9])
+void closures_over_matrices_limited(const double a[9], double limit,
+    double result[BESSEMER_RESTRICT 9])
 {
     for (uint32_t i = 0U; i < 9U; i++) {
         if (a[i] > limit) {
@@ -14,21 +15,23 @@ void closures_over_matrices_limited(const double a[9], double limit, double resu
 }
 
 void closures_over_matrices_blended(const float a[9], const float b[9], float share,
-    float result[9])
+    float result[BESSEMER_RESTRICT 9])
 {
     for (uint32_t i = 0U; i < 9U; i++) {
         result[i] = a[i] + (b[i] - a[i]) * share;
     }
 }
 
-void closures_over_matrices_larger(const double a[4], const double b[4], double result[4])
+void closures_over_matrices_larger(const double a[4], const double b[4],
+    double result[BESSEMER_RESTRICT 4])
 {
     for (uint32_t i = 0U; i < 4U; i++) {
         result[i] = max_f64(a[i], b[i]);
     }
 }
 
-void closures_over_matrices_step(double position[3], const double goal[3], double most)
+void closures_over_matrices_step(double position[BESSEMER_RESTRICT 3], const double goal[3],
+    double most)
 {
     for (uint32_t i = 0U; i < 3U; i++) {
         const double way = goal[i] - position[i];
@@ -71,7 +74,7 @@ void closures_over_matrices_second_difference(double result[16])
     }
 }
 
-void closures_over_matrices_faded(const double a[9], double result[9])
+void closures_over_matrices_faded(const double a[9], double result[BESSEMER_RESTRICT 9])
 {
     for (uint32_t column = 0U; column < 3U; column++) {
         for (uint32_t row = 0U; row < 3U; row++) {
@@ -85,7 +88,8 @@ void closures_over_matrices_faded(const double a[9], double result[9])
     }
 }
 
-void closures_over_matrices_inner(const double a[4], const double b[4], pair_f64_f64_t *result)
+void closures_over_matrices_inner(const double a[4], const double b[4],
+    pair_f64_f64_t *BESSEMER_RESTRICT result)
 {
     double both = 0.0;
     for (uint32_t i = 0U; i < 4U; i++) {
@@ -99,7 +103,8 @@ void closures_over_matrices_inner(const double a[4], const double b[4], pair_f64
     result->second = squares;
 }
 
-bessemer_status_t closures_over_matrices_element(const double a[9], uint64_t index, double *result)
+bessemer_status_t closures_over_matrices_element(const double a[9], uint64_t index,
+    double *BESSEMER_RESTRICT result)
 {
     if (index >= UINT64_C(9)) {
         return BESSEMER_STATUS_INDEX;

@@ -3,7 +3,7 @@
 /* component_wise.c */
 
 void component_wise_blended(const float a[6], const float b[6], const float mask[6],
-    float result[6])
+    float result[BESSEMER_RESTRICT 6])
 {
     for (uint32_t i = 0U; i < 6U; i++) {
         result[i] = a[i] + (b[i] - a[i]) * mask[i];

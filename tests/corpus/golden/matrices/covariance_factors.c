@@ -2,7 +2,7 @@
 
 /* covariance_factors.c */
 
-void covariance_factors_variances(const double p[9], option_vector3_f64_t *result)
+void covariance_factors_variances(const double p[9], option_vector3_f64_t *BESSEMER_RESTRICT result)
 {
     option_udu_f64_3_t factors_option;
     udu_factored_f64_3(p, &factors_option);
@@ -17,7 +17,7 @@ void covariance_factors_variances(const double p[9], option_vector3_f64_t *resul
     result->value[2] = factors->d[2];
 }
 
-void covariance_factors_composed(const double p[4], double result[4])
+void covariance_factors_composed(const double p[4], double result[BESSEMER_RESTRICT 4])
 {
     option_udu_f64_2_t factors;
     udu_factored_f64_2(p, &factors);
@@ -59,7 +59,7 @@ void covariance_factors_composed(const double p[4], double result[4])
 }
 
 void covariance_factors_gain(const double p[9], const double h[6], const double s[4],
-    double result[6])
+    double result[BESSEMER_RESTRICT 6])
 {
     option_ldl_f64_2_t factors;
     ldl_factored_f64_2(s, &factors);
@@ -87,7 +87,7 @@ void covariance_factors_gain(const double p[9], const double h[6], const double 
     }
 }
 
-void covariance_factors_full_rank(const float p[9], pair_bool_f32_t *result)
+void covariance_factors_full_rank(const float p[9], pair_bool_f32_t *BESSEMER_RESTRICT result)
 {
     option_ldl_f32_3_t factors;
     ldl_factored_f32_3(p, &factors);

@@ -21,7 +21,7 @@ double elements_angle(const double turn[9])
     return arctangent_atan2(turn[1 + 3 * 0], turn[0 + 3 * 0]);
 }
 
-void elements_reordered(const float v[3], float result[3])
+void elements_reordered(const float v[3], float result[BESSEMER_RESTRICT 3])
 {
     result[0] = v[2];
     result[1] = v[0];

@@ -33,7 +33,8 @@ bessemer_status_t filling_forget(double p[9], uint64_t state, double variance)
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t filling_exchanged(const float a[6], uint64_t one, uint64_t other, float result[6])
+bessemer_status_t filling_exchanged(const float a[6], uint64_t one, uint64_t other,
+    float result[BESSEMER_RESTRICT 6])
 {
     float own_a[6];
     (void)memcpy(own_a, a, sizeof(float[6]));

@@ -2,7 +2,7 @@
 
 /* from_arrays.c */
 
-void from_arrays_acceleration(const float raw[3], float scale, float result[3])
+void from_arrays_acceleration(const float raw[3], float scale, float result[BESSEMER_RESTRICT 3])
 {
     const float result_vector[3] = {raw[0], raw[1], raw[2]};
     result[0] = result_vector[0] * scale;
@@ -16,14 +16,14 @@ void from_arrays_corner(double x, double y, double result[2])
     result[1] = x - y;
 }
 
-void from_arrays_window(const double samples[20], double result[20])
+void from_arrays_window(const double samples[20], double result[BESSEMER_RESTRICT 20])
 {
     for (uint32_t i = 0U; i < 20U; i++) {
         result[i] = samples[i];
     }
 }
 
-void from_arrays_columns(const double columns[3][2], double result[6])
+void from_arrays_columns(const double columns[3][2], double result[BESSEMER_RESTRICT 6])
 {
     result[0 + 2 * 0] = columns[0][0];
     result[1 + 2 * 0] = columns[0][1];
@@ -44,7 +44,7 @@ void from_arrays_shear(float factor, pair_matrix2x2_f32_matrix1x2_f32_t *result)
 }
 
 void from_arrays_beside(const double first[2], double gain,
-    pair_matrix2x2_f64_matrix2x2_f64_t *result)
+    pair_matrix2x2_f64_matrix2x2_f64_t *BESSEMER_RESTRICT result)
 {
     double elements[2][2];
     elements[0][0] = first[0];
@@ -63,7 +63,7 @@ void from_arrays_beside(const double first[2], double gain,
 }
 
 void from_arrays_packed(const double covariance[9], const float rates[3],
-    pair_f64x3x3_f32x3_t *result)
+    pair_f64x3x3_f32x3_t *BESSEMER_RESTRICT result)
 {
     result->first[0][0] = covariance[0 + 3 * 0];
     result->first[0][1] = covariance[1 + 3 * 0];
@@ -79,7 +79,7 @@ void from_arrays_packed(const double covariance[9], const float rates[3],
     result->second[2] = rates[2];
 }
 
-void from_arrays_far(const float covariance[25], float columns[5][5])
+void from_arrays_far(const float covariance[25], float columns[BESSEMER_RESTRICT 5][5])
 {
     for (uint32_t i = 0U; i < 5U; i++) {
         for (uint32_t i_2 = 0U; i_2 < 5U; i_2++) {

@@ -3,7 +3,7 @@
 /* integer_matrices.c */
 
 bessemer_status_t integer_matrices_corrected(const int32_t counts[4], const int32_t offsets[4],
-    int32_t gain, int32_t result[4])
+    int32_t gain, int32_t result[BESSEMER_RESTRICT 4])
 {
     int32_t result_difference[4];
     for (uint32_t col = 0U; col < 2U; col++) {
@@ -49,7 +49,7 @@ bessemer_status_t integer_matrices_corrected(const int32_t counts[4], const int3
 }
 
 bessemer_status_t integer_matrices_mixed(const int16_t weights[6], const int16_t levels[3],
-    int16_t result[2])
+    int16_t result[BESSEMER_RESTRICT 2])
 {
     int16_t result_product[2] = {0, 0};
     for (uint32_t row = 0U; row < 2U; row++) {
@@ -73,7 +73,7 @@ bessemer_status_t integer_matrices_mixed(const int16_t weights[6], const int16_t
 }
 
 bessemer_status_t integer_matrices_shares(const uint8_t parts[3], const uint8_t wholes[3],
-    uint8_t divisor, uint8_t result[3])
+    uint8_t divisor, uint8_t result[BESSEMER_RESTRICT 3])
 {
     uint8_t result_quotient[3];
     for (uint32_t row = 0U; row < 3U; row++) {
@@ -158,7 +158,8 @@ bessemer_status_t integer_matrices_cleared(uint8_t map[16], uint64_t row)
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t integer_matrices_summary(const int32_t map[9], tuple4_i32_i32_i32_i32_t *result)
+bessemer_status_t integer_matrices_summary(const int32_t map[9],
+    tuple4_i32_i32_i32_i32_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     int32_t result_first;
@@ -179,7 +180,7 @@ bessemer_status_t integer_matrices_summary(const int32_t map[9], tuple4_i32_i32_
 }
 
 bessemer_status_t integer_matrices_edges(const uint16_t map[6],
-    pair_matrix1x3_u16_vector2_u16_t *result)
+    pair_matrix1x3_u16_vector2_u16_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
     uint16_t result_first[3];
@@ -200,7 +201,8 @@ bessemer_status_t integer_matrices_edges(const uint16_t map[6],
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t integer_matrices_flagged(bool flags[4], bool before[4])
+bessemer_status_t integer_matrices_flagged(bool flags[BESSEMER_RESTRICT 4],
+    bool before[BESSEMER_RESTRICT 4])
 {
     bessemer_status_t status;
     const pair_usize_usize_t one = {.first = UINT64_C(0), .second = UINT64_C(0)};

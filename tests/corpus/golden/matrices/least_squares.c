@@ -3,7 +3,7 @@
 /* programs_matrices_least_squares.c */
 
 void programs_matrices_least_squares_line(const double x[6], const double y[6],
-    option_vector2_f64_t *result)
+    option_vector2_f64_t *BESSEMER_RESTRICT result)
 {
     double rows[12] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     for (uint32_t k = 0U; k < 6U; k++) {
@@ -25,7 +25,7 @@ void programs_matrices_least_squares_line(const double x[6], const double y[6],
 }
 
 void programs_matrices_least_squares_solved(const float a[9], const float b[3],
-    option_vector3_f32_t *result)
+    option_vector3_f32_t *BESSEMER_RESTRICT result)
 {
     qr_f32_3_3_t result_qr;
     qr_factored_f32_3_3(a, &result_qr);

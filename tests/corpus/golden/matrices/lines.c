@@ -2,7 +2,8 @@
 
 /* lines.c */
 
-void lines_read(const double m[12], const double w[4], tuple4_f64_f64_f64_option_usize_t *result)
+void lines_read(const double m[12], const double w[4],
+    tuple4_f64_f64_f64_option_usize_t *BESSEMER_RESTRICT result)
 {
     double far_ = 0.0;
     uint64_t left = UINT64_C(1);
@@ -69,7 +70,7 @@ void lines_read(const double m[12], const double w[4], tuple4_f64_f64_f64_option
     result->third = both;
 }
 
-void lines_written(double m[12], const double w[4])
+void lines_written(double m[BESSEMER_RESTRICT 12], const double w[4])
 {
     uint32_t others_taken = 0U;
     for (uint32_t column = 0U; column < 4U; column++) {
@@ -117,7 +118,7 @@ void lines_written(double m[12], const double w[4])
     }
 }
 
-void lines_extremes(const float m[12], pair_option_usize_option_f32_t *result)
+void lines_extremes(const float m[12], pair_option_usize_option_f32_t *BESSEMER_RESTRICT result)
 {
     option_pair_usize_f32_t found = {.is_some = false};
     for (uint32_t column = 0U; column < 4U; column++) {
@@ -159,7 +160,8 @@ void lines_extremes(const float m[12], pair_option_usize_option_f32_t *result)
     }
 }
 
-void lines_other_names(double a[16], const double b[4], option_f64_t *result)
+void lines_other_names(double a[BESSEMER_RESTRICT 16], const double b[4],
+    option_f64_t *BESSEMER_RESTRICT result)
 {
     double first[4] = {a[0 + 4 * 0], a[1 + 4 * 0], a[2 + 4 * 0], a[3 + 4 * 0]};
     first[0] += b[0];
@@ -213,7 +215,8 @@ void lines_other_names(double a[16], const double b[4], option_f64_t *result)
     result->value = b[2];
 }
 
-bessemer_status_t lines_parts_of_parts(double m[36], uint64_t at, double by, double *result)
+bessemer_status_t lines_parts_of_parts(double m[BESSEMER_RESTRICT 36], uint64_t at, double by,
+    double *BESSEMER_RESTRICT result)
 {
     if (at > UINT64_C(0xFFFFFFFFFFFFFFFB)) {
         return BESSEMER_STATUS_OVERFLOW;

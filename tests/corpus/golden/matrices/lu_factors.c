@@ -2,7 +2,8 @@
 
 /* lu_factors.c */
 
-void lu_factors_refined(const double a[9], const double b[3], option_vector3_f64_t *result)
+void lu_factors_refined(const double a[9], const double b[3],
+    option_vector3_f64_t *BESSEMER_RESTRICT result)
 {
     lu_f64_3_t lu;
     lu_factored_f64_3(a, &lu);
@@ -40,7 +41,7 @@ void lu_factors_refined(const double a[9], const double b[3], option_vector3_f64
     result->is_some = true;
 }
 
-void lu_factors_both(const float a[16], pair_f32_matrix4x4_f32_t *result)
+void lu_factors_both(const float a[16], pair_f32_matrix4x4_f32_t *BESSEMER_RESTRICT result)
 {
     lu_f32_4_t lu;
     lu_factored_f32_4(a, &lu);

@@ -2,7 +2,8 @@
 
 /* named_views.c */
 
-void named_views_advance(double state[6], const double acceleration[3], double period)
+void named_views_advance(double state[BESSEMER_RESTRICT 6], const double acceleration[3],
+    double period)
 {
     const double way_vector[3] = {state[3], state[4], state[5]};
     const double way_product = 0.5 * period * period;
@@ -27,7 +28,8 @@ void named_views_advance(double state[6], const double acceleration[3], double p
     }
 }
 
-double named_views_changed(double covariance[16], const double noise[4], double least)
+double named_views_changed(double covariance[BESSEMER_RESTRICT 16], const double noise[4],
+    double least)
 {
     double block[4] = {
         covariance[0 + 4 * 2], covariance[1 + 4 * 2],
@@ -65,8 +67,8 @@ double named_views_changed(double covariance[16], const double noise[4], double 
     return parts_trace_f64_2(result_a);
 }
 
-bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double by[4], double most,
-    option_f64_t *result)
+bessemer_status_t named_views_up_to(double m[BESSEMER_RESTRICT 16], uint64_t column,
+    const double by[4], double most, option_f64_t *BESSEMER_RESTRICT result)
 {
     if (column > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
         return BESSEMER_STATUS_OVERFLOW;
@@ -123,7 +125,7 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
     return BESSEMER_STATUS_OK;
 }
 
-void named_views_scaled(double m[6], const double by[2])
+void named_views_scaled(double m[BESSEMER_RESTRICT 6], const double by[2])
 {
     for (uint32_t column = 0U; column < 3U; column++) {
         double column_2[2] = {m[2U * column], m[1U + 2U * column]};
@@ -145,7 +147,7 @@ void named_views_scaled(double m[6], const double by[2])
     }
 }
 
-double named_views_by_methods(double m[9], const double v[3], const double a[4])
+double named_views_by_methods(double m[BESSEMER_RESTRICT 9], const double v[3], const double a[4])
 {
     double part[3] = {m[0 + 3 * 0], m[1 + 3 * 0], m[2 + 3 * 0]};
     const double length = norms_normalize_mut_f64_3_1(part);
@@ -173,7 +175,7 @@ double named_views_by_methods(double m[9], const double v[3], const double a[4])
     return length;
 }
 
-void named_views_lengths(const float m[9], pair_f32_f32_t *result)
+void named_views_lengths(const float m[9], pair_f32_f32_t *BESSEMER_RESTRICT result)
 {
     float columns = -0.0F;
     for (uint32_t column = 0U; column < 3U; column++) {
@@ -203,7 +205,8 @@ void filter_init(filter_t *self)
     self->fault = BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t filter_grow(filter_t *self, uint64_t from, double limit, uint32_t *count)
+bessemer_status_t filter_grow(filter_t *BESSEMER_RESTRICT self, uint64_t from, double limit,
+    uint32_t *BESSEMER_RESTRICT count)
 {
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;

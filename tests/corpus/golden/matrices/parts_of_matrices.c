@@ -2,18 +2,19 @@
 
 /* parts_of_matrices.c */
 
-void parts_of_matrices_off(const double turn[9], double result[2])
+void parts_of_matrices_off(const double turn[9], double result[BESSEMER_RESTRICT 2])
 {
     result[0] = parts_trace_f64_3(turn) - 3.0;
     result[1] = matrix_extremes_amax_f64_3_3(turn);
 }
 
-void parts_of_matrices_learn(double information[9], const double x[3], double forgetting)
+void parts_of_matrices_learn(double information[BESSEMER_RESTRICT 9], const double x[3],
+    double forgetting)
 {
     blas_ger_f64_3_3(information, 1.0, x, x, forgetting);
 }
 
-void parts_of_matrices_weights(const float raw[4], float result[4])
+void parts_of_matrices_weights(const float raw[4], float result[BESSEMER_RESTRICT 4])
 {
     const float result_sum_f32_4_1 = matrix_statistics_sum_f32_4_1(raw);
     result[0] = raw[0] / result_sum_f32_4_1;

@@ -2,7 +2,7 @@
 
 /* points.c */
 
-void points_halfway(const points_way_t *way, pair_f64_vector3_f64_t *result)
+void points_halfway(const points_way_t *way, pair_f64_vector3_f64_t *BESSEMER_RESTRICT result)
 {
     const double between[3] = {
         way->to[0] - way->from[0],
@@ -16,7 +16,7 @@ void points_halfway(const points_way_t *way, pair_f64_vector3_f64_t *result)
         + between[2] * between[2]);
 }
 
-void points_moved(const float point[2], const float by[2], float result[2])
+void points_moved(const float point[2], const float by[2], float result[BESSEMER_RESTRICT 2])
 {
     float own_point[2];
     own_point[0] = point[0];
@@ -28,7 +28,8 @@ void points_moved(const float point[2], const float by[2], float result[2])
     result[1] = by[1] + by[1] + back[1];
 }
 
-void points_along(const double vector[3], const double direction[3], double result[3])
+void points_along(const double vector[3], const double direction[3],
+    double result[BESSEMER_RESTRICT 3])
 {
     double direction_2[3];
     norms_normalize_f64_3_1(direction, direction_2);

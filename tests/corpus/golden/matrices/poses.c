@@ -24,7 +24,8 @@ void arm_init(arm_t *self)
     self->tool.translation[2] = 1.0;
 }
 
-void arm_turn(arm_t *self, uint8_t at, const unit_quaternion_f64_t *by, double result[3])
+void arm_turn(arm_t *BESSEMER_RESTRICT self, uint8_t at, const unit_quaternion_f64_t *by,
+    double result[BESSEMER_RESTRICT 3])
 {
     const uint32_t at_2 = (uint32_t)(uint8_t)(at % 3U);
     isometry3_f64_t joints_next;
@@ -50,7 +51,7 @@ typedef struct {
 /* poses.c */
 
 void poses_seen(const isometry3_f64_t *camera, const double point[3],
-    pair_vector3_f64_vector3_f64_t *result)
+    pair_vector3_f64_vector3_f64_t *BESSEMER_RESTRICT result)
 {
     isometry3_f64_t back;
     isometry_inverse_f64(camera, &back);
@@ -60,7 +61,7 @@ void poses_seen(const isometry3_f64_t *camera, const double point[3],
 }
 
 void poses_relative(const isometry3_f64_t *one, const isometry3_f64_t *other,
-    isometry3_f64_t result[3])
+    isometry3_f64_t result[BESSEMER_RESTRICT 3])
 {
     isometry3_f64_t result_inv_mul_f64;
     isometry_inv_mul_f64(one, other, &result_inv_mul_f64);
@@ -75,7 +76,8 @@ void poses_relative(const isometry3_f64_t *one, const isometry3_f64_t *other,
     result[2] = result_quotient_f64;
 }
 
-void poses_with_parts(const float by[3], const unit_quaternion_f32_t *q, isometry3_f32_t *isometry3)
+void poses_with_parts(const float by[3], const unit_quaternion_f32_t *q,
+    isometry3_f32_t *BESSEMER_RESTRICT isometry3)
 {
     const isometry3_f32_t pose = {.rotation = *q, .translation = {by[0], by[1], by[2]}};
     isometry3_f32_t turned_pose;
@@ -109,7 +111,7 @@ void poses_with_parts(const float by[3], const unit_quaternion_f32_t *q, isometr
 }
 
 void poses_there_and_back(const isometry3_f64_t *pose, const double p[3], const double v[3],
-    pair_vector3_f64_vector3_f64_t *result)
+    pair_vector3_f64_vector3_f64_t *BESSEMER_RESTRICT result)
 {
     double there_transform_point_f64[3];
     isometry_transform_point_f64(pose, p, there_transform_point_f64);
@@ -124,12 +126,13 @@ void poses_there_and_back(const isometry3_f64_t *pose, const double p[3], const 
     isometry_inverse_transform_vector_f64(pose, v, result->second);
 }
 
-void poses_matrix(const isometry3_f64_t *pose, double result[16])
+void poses_matrix(const isometry3_f64_t *pose, double result[BESSEMER_RESTRICT 16])
 {
     isometry_to_homogeneous_f64(pose, result);
 }
 
-void poses_apart(const isometry3_f64_t *one, const isometry3_f64_t *other, pair_bool_f64_t *result)
+void poses_apart(const isometry3_f64_t *one, const isometry3_f64_t *other,
+    pair_bool_f64_t *BESSEMER_RESTRICT result)
 {
     const double result_difference[3] = {
         one->translation[0] - other->translation[0],

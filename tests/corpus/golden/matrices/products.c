@@ -3,7 +3,7 @@
 /* products.c */
 
 void products_advanced(const double system[4], const double input[2], const double state[2],
-    double command, double result[2])
+    double command, double result[BESSEMER_RESTRICT 2])
 {
     const double result_product[2] = {
         system[0 + 2 * 0] * state[0] + system[0 + 2 * 1] * state[1],
@@ -13,7 +13,8 @@ void products_advanced(const double system[4], const double input[2], const doub
     result[1] = result_product[1] + input[1] * command;
 }
 
-void products_spread(const double a[9], const double p[9], const double q[9], double result[9])
+void products_spread(const double a[9], const double p[9], const double q[9],
+    double result[BESSEMER_RESTRICT 9])
 {
     double result_product[9];
     product_f64_3x3_3x3(a, p, result_product);

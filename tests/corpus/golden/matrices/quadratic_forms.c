@@ -3,13 +3,14 @@
 /* quadratic_forms.c */
 
 void quadratic_forms_predicted(const double a[9], const double p[9], const double q[9],
-    double grown[9])
+    double grown[BESSEMER_RESTRICT 9])
 {
     (void)memcpy(grown, q, sizeof(double[9]));
     blas_quadform_tr_f64_3_3(grown, 1.0, a, p, 1.0);
 }
 
-void quadratic_forms_information(const double h[8], const double w[16], double sum[4])
+void quadratic_forms_information(const double h[8], const double w[16],
+    double sum[BESSEMER_RESTRICT 4])
 {
     sum[0] = 0.0;
     sum[1] = 0.0;
@@ -18,7 +19,8 @@ void quadratic_forms_information(const double h[8], const double w[16], double s
     blas_quadform_f64_4_2(sum, 1.0, w, h, 0.0);
 }
 
-void quadratic_forms_gradient(const float h[8], const float residual[4], float gradient[2])
+void quadratic_forms_gradient(const float h[8], const float residual[4],
+    float gradient[BESSEMER_RESTRICT 2])
 {
     gradient[0] = 0.0F;
     gradient[1] = 0.0F;

@@ -5,7 +5,7 @@
 static const quaternion_f64_t QUATERNION_DEFAULT = {.i = 0.0, .j = 0.0, .k = 0.0, .w = 0.0};
 
 void quaternions_rate(const quaternion_f64_t *q, const double rates[3],
-    quaternion_f64_t *quaternion)
+    quaternion_f64_t *BESSEMER_RESTRICT quaternion)
 {
     quaternion_f64_t quaternion_b;
     quaternion_from_imag_f64(rates, &quaternion_b);
@@ -15,7 +15,7 @@ void quaternions_rate(const quaternion_f64_t *q, const double rates[3],
 }
 
 void quaternions_step(const quaternion_f64_t *q, const double rates[3], double period,
-    quaternion_f64_t *quaternion)
+    quaternion_f64_t *BESSEMER_RESTRICT quaternion)
 {
     quaternion_f64_t first;
     quaternions_rate(q, rates, &first);
@@ -33,7 +33,7 @@ void quaternions_step(const quaternion_f64_t *q, const double rates[3], double p
 }
 
 void quaternions_operators(const quaternion_f64_t *a, const quaternion_f64_t *b, double factor,
-    quaternion_f64_t *quaternion)
+    quaternion_f64_t *BESSEMER_RESTRICT quaternion)
 {
     quaternion_f64_t c_a;
     quaternion_negative_f64(a, &c_a);
@@ -67,7 +67,8 @@ void quaternions_operators(const quaternion_f64_t *a, const quaternion_f64_t *b,
     quaternion_scaled_by_f64(2.0, &c, quaternion);
 }
 
-void quaternions_measures(const quaternion_f32_t *a, const quaternion_f32_t *b, float result[4])
+void quaternions_measures(const quaternion_f32_t *a, const quaternion_f32_t *b,
+    float result[BESSEMER_RESTRICT 4])
 {
     quaternion_f32_t result_q;
     quaternion_lerp_f32(a, b, 0.25F, &result_q);
@@ -79,12 +80,13 @@ void quaternions_measures(const quaternion_f32_t *a, const quaternion_f32_t *b, 
     result[3] = quaternion_scalar_f32(&result_q_2);
 }
 
-void quaternions_inverse(const quaternion_f64_t *q, option_quaternion_f64_t *result)
+void quaternions_inverse(const quaternion_f64_t *q,
+    option_quaternion_f64_t *BESSEMER_RESTRICT result)
 {
     quaternion_try_inverse_f64(q, result);
 }
 
-void quaternions_parts(double scalar, const double vector[3], double result[3])
+void quaternions_parts(double scalar, const double vector[3], double result[BESSEMER_RESTRICT 3])
 {
     quaternion_f64_t q_value;
     quaternion_from_parts_f64(scalar, vector, &q_value);
@@ -105,7 +107,7 @@ void quaternions_parts(double scalar, const double vector[3], double result[3])
 }
 
 void quaternions_same(const quaternion_f64_t *a, const quaternion_f64_t *b,
-    pair_bool_bool_t *result)
+    pair_bool_bool_t *BESSEMER_RESTRICT result)
 {
     result->first = a->i == b->i && a->j == b->j && a->k == b->k && a->w == b->w;
     result->second = a->i == QUATERNION_DEFAULT.i && a->j == QUATERNION_DEFAULT.j

@@ -15,7 +15,8 @@ void mounting_init(mounting_t *self)
     self->rotation[8] = 1.0;
 }
 
-void mounting_turned(const mounting_t *self, const double measured[3], double result[3])
+void mounting_turned(const mounting_t *self, const double measured[3],
+    double result[BESSEMER_RESTRICT 3])
 {
     result[0] = self->rotation[0 + 3 * 0] * measured[0] + self->rotation[0 + 3 * 1] * measured[1]
         + self->rotation[0 + 3 * 2] * measured[2];
@@ -25,7 +26,7 @@ void mounting_turned(const mounting_t *self, const double measured[3], double re
         + self->rotation[2 + 3 * 2] * measured[2];
 }
 
-double mounting_mount(mounting_t *self, const double more[9])
+double mounting_mount(mounting_t *BESSEMER_RESTRICT self, const double more[9])
 {
     double rotation_next[9];
     product_f64_3x3_3x3(more, self->rotation, rotation_next);
@@ -45,7 +46,8 @@ typedef struct {
 
 /* rotation_matrices.c */
 
-void rotation_matrices_between(const double a[9], const double b[9], double back[9])
+void rotation_matrices_between(const double a[9], const double b[9],
+    double back[BESSEMER_RESTRICT 9])
 {
     double back_product[9];
     tr_product_f64_3x3_3x3(a, b, back_product);
@@ -57,7 +59,7 @@ void rotation_matrices_between(const double a[9], const double b[9], double back
 }
 
 void rotation_matrices_moved(const float m[9], const float v[3], const float p[3],
-    pair_vector3_f32_vector3_f32_t *result)
+    pair_vector3_f32_vector3_f32_t *BESSEMER_RESTRICT result)
 {
     const float there_product[3] = {
         m[0 + 3 * 0] * v[0] + m[0 + 3 * 1] * v[1] + m[0 + 3 * 2] * v[2],
@@ -95,7 +97,8 @@ void rotation_matrices_moved(const float m[9], const float v[3], const float p[3
     result->second[2] = m[0 + 3 * 2] * point[0] + m[1 + 3 * 2] * point[1] + m[2 + 3 * 2] * point[2];
 }
 
-void rotation_matrices_covariance(const double m[9], const double p[9], double result[9])
+void rotation_matrices_covariance(const double m[9], const double p[9],
+    double result[BESSEMER_RESTRICT 9])
 {
     double result_product[9];
     product_f64_3x3_3x3(m, p, result_product);
@@ -108,7 +111,8 @@ double rotation_matrices_raw(const double m[9])
     return rotation[2 + 3 * 1] + rotation[0 + 3 * 2];
 }
 
-void rotation_matrices_plane(const double m[4], const double v[2], double result[2])
+void rotation_matrices_plane(const double m[4], const double v[2],
+    double result[BESSEMER_RESTRICT 2])
 {
     const double vector[4] = {
         1.0, 0.0,

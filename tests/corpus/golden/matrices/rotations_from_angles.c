@@ -10,7 +10,8 @@ void gyro_init(gyro_t *self)
     self->attitude.w = 1.0;
 }
 
-void gyro_step(gyro_t *self, const double rates[3], double period, double result[3])
+void gyro_step(gyro_t *BESSEMER_RESTRICT self, const double rates[3], double period,
+    double result[BESSEMER_RESTRICT 3])
 {
     const double attitude_axis[3] = {rates[0] * period, rates[1] * period, rates[2] * period};
     unit_quaternion_f64_t attitude_second;
@@ -37,7 +38,7 @@ typedef struct {
 /* rotations_from_angles.c */
 
 void rotations_from_angles_in_vehicle(double roll, double pitch, double yaw,
-    const double reading[3], double result[3])
+    const double reading[3], double result[BESSEMER_RESTRICT 3])
 {
     unit_quaternion_f64_t result_q;
     rotation_from_euler_angles_f64(roll, pitch, yaw, &result_q);
@@ -45,21 +46,22 @@ void rotations_from_angles_in_vehicle(double roll, double pitch, double yaw,
 }
 
 void rotations_from_angles_middle(const unit_quaternion_f32_t *one,
-    const unit_quaternion_f32_t *other, pair_unit_quaternion_f32_f32_t *result)
+    const unit_quaternion_f32_t *other, pair_unit_quaternion_f32_f32_t *BESSEMER_RESTRICT result)
 {
     rotation_slerp_f32(one, other, 0.5F, &result->first);
     result->second = rotation_angle_to_f32(one, other);
 }
 
 void rotations_from_angles_seen(const double axis[3], double angle, const double point[3],
-    double result[3])
+    double result[BESSEMER_RESTRICT 3])
 {
     unit_quaternion_f64_t result_q;
     rotation_from_axis_angle_f64(axis, angle, &result_q);
     unit_quaternion_inverse_transform_vector_f64(&result_q, point, result);
 }
 
-void rotations_from_angles_part(const unit_quaternion_f64_t *whole, double share, double result[3])
+void rotations_from_angles_part(const unit_quaternion_f64_t *whole, double share,
+    double result[BESSEMER_RESTRICT 3])
 {
     unit_quaternion_f64_t result_q;
     rotation_powf_f64(whole, share, &result_q);
@@ -67,7 +69,7 @@ void rotations_from_angles_part(const unit_quaternion_f64_t *whole, double share
 }
 
 void rotations_from_angles_about(const unit_quaternion_f32_t *q,
-    option_pair_vector3_f32_f32_t *result)
+    option_pair_vector3_f32_f32_t *BESSEMER_RESTRICT result)
 {
     rotation_axis_angle_f32(q, result);
 }
@@ -81,7 +83,7 @@ void rotations_from_angles_there_and_back(double roll, double pitch, double yaw,
 }
 
 void rotations_from_angles_matrices(const double axis[3], double angle,
-    pair_matrix3x3_f64_matrix2x2_f64_t *result)
+    pair_matrix3x3_f64_matrix2x2_f64_t *BESSEMER_RESTRICT result)
 {
     rotation_matrix_from_axis_angle_f64(axis, angle, result->first);
     rotation_matrix_from_angle_f64(angle, result->second);

@@ -7,7 +7,7 @@ double scalar_products_filtered(const double taps[10], const double values[10])
     return dot_f64(taps, values, 10U, 1U);
 }
 
-void scalar_products_information(const double jacobian[6], double result[4])
+void scalar_products_information(const double jacobian[6], double result[BESSEMER_RESTRICT 4])
 {
     {
         const double product[4] = {

@@ -2,7 +2,8 @@
 
 /* small_methods.c */
 
-void small_methods_quadratic(const double v[3], const double a[9], triple_f64_f64_f64_t *result)
+void small_methods_quadratic(const double v[3], const double a[9],
+    triple_f64_f64_f64_t *BESSEMER_RESTRICT result)
 {
     const double row[3] = {
         v[0] * a[0 + 3 * 0] + v[1] * a[1 + 3 * 0] + v[2] * a[2 + 3 * 0],
@@ -22,7 +23,7 @@ float small_methods_turn(const float a[2], const float b[2])
     return blas_perp_f32(a, b);
 }
 
-void small_methods_shapes(const double a[6], pair_usize_bool_t *result)
+void small_methods_shapes(const double a[6], pair_usize_bool_t *BESSEMER_RESTRICT result)
 {
     pair_usize_usize_t pair;
     parts_shape_f64_2_3(a, &pair);
@@ -30,7 +31,7 @@ void small_methods_shapes(const double a[6], pair_usize_bool_t *result)
     result->second = parts_is_square_f64_2_3(a);
 }
 
-void small_methods_squared(const double a[4], double result[4])
+void small_methods_squared(const double a[4], double result[BESSEMER_RESTRICT 4])
 {
     const double copy[4] = {a[0], a[1], a[2], a[3]};
     {
@@ -47,7 +48,8 @@ void small_methods_squared(const double a[4], double result[4])
     }
 }
 
-void small_methods_rounded(const double a[6], pair_matrix2x3_f32_matrix2x3_f64_t *result)
+void small_methods_rounded(const double a[6],
+    pair_matrix2x3_f32_matrix2x3_f64_t *BESSEMER_RESTRICT result)
 {
     elementwise_cast_f64_f32_2_3(a, result->first);
     double result_cast_f32_f64_2_3[6];
@@ -57,7 +59,8 @@ void small_methods_rounded(const double a[6], pair_matrix2x3_f32_matrix2x3_f64_t
     }
 }
 
-void small_methods_centre(const double points[4][3], pair_vector3_f64_vector3_f64_t *result)
+void small_methods_centre(const double points[4][3],
+    pair_vector3_f64_vector3_f64_t *BESSEMER_RESTRICT result)
 {
     double sum[3] = {0.0, 0.0, 0.0};
     for (uint32_t i = 0U; i < 4U; i++) {
@@ -78,15 +81,15 @@ void small_methods_centre(const double points[4][3], pair_vector3_f64_vector3_f6
     result->first[2] = sum[2] / 4.0;
 }
 
-void small_methods_into_places(const double a[6], const double b[6], double product[4],
-    double other[9])
+void small_methods_into_places(const double a[6], const double b[6],
+    double product[BESSEMER_RESTRICT 4], double other[BESSEMER_RESTRICT 9])
 {
     blas_mul_to_f64_2_3_2(a, b, product);
     blas_tr_mul_to_f64_2_3_3(a, a, other);
 }
 
 void small_methods_parts(const double state[6],
-    triple_vector3_f64_vector3_f64_vector3_f64_t *result)
+    triple_vector3_f64_vector3_f64_vector3_f64_t *BESSEMER_RESTRICT result)
 {
     result->first[0] = state[0];
     result->first[1] = state[1];

@@ -10,8 +10,8 @@ void programs_matrices_state_tracker_init(programs_matrices_state_tracker_t *sel
     self->gains[1] = 0.25;
 }
 
-void programs_matrices_state_tracker_step(programs_matrices_state_tracker_t *self, double measured,
-    double time, double result[2])
+void programs_matrices_state_tracker_step(programs_matrices_state_tracker_t *BESSEMER_RESTRICT self,
+    double measured, double time, double result[BESSEMER_RESTRICT 2])
 {
     const double predicted_matrix[4] = {
         1.0, 0.0,

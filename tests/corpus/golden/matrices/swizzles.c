@@ -2,7 +2,8 @@
 
 /* swizzles.c */
 
-void swizzles_in_the_plane(const double from[3], const double to[3], pair_f64_f64_t *result)
+void swizzles_in_the_plane(const double from[3], const double to[3],
+    pair_f64_f64_t *BESSEMER_RESTRICT result)
 {
     const double way_vector[2] = {to[0], to[1]};
     const double way_vector_2[2] = {from[0], from[1]};
@@ -12,7 +13,7 @@ void swizzles_in_the_plane(const double from[3], const double to[3], pair_f64_f6
     result->second = vector[0];
 }
 
-void swizzles_turned(const float state[6], float result[3])
+void swizzles_turned(const float state[6], float result[BESSEMER_RESTRICT 3])
 {
     const float swapped[3] = {state[1], state[0], state[2]};
     result[0] = swapped[0];
@@ -20,7 +21,7 @@ void swizzles_turned(const float state[6], float result[3])
     result[2] = -swapped[2];
 }
 
-void swizzles_of_a_sum(const double a[4], const double b[4], double result[3])
+void swizzles_of_a_sum(const double a[4], const double b[4], double result[BESSEMER_RESTRICT 3])
 {
     const double vector[4] = {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
     const double vector_2[3] = {a[0], a[1], a[2]};
@@ -32,7 +33,7 @@ void swizzles_of_a_sum(const double a[4], const double b[4], double result[3])
 }
 
 void swizzles_of_others(const int32_t a[2], const double m[9],
-    pair_vector2_i32_vector2_f64_t *result)
+    pair_vector2_i32_vector2_f64_t *BESSEMER_RESTRICT result)
 {
     const double vector[3] = {m[0 + 3 * 1], m[1 + 3 * 1], m[2 + 3 * 1]};
     result->first[0] = a[1];

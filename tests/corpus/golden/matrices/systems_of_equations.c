@@ -2,7 +2,8 @@
 
 /* systems_of_equations.c */
 
-void systems_of_equations_parabola(const double x[3], const double y[3], double coefficients[3])
+void systems_of_equations_parabola(const double x[3], const double y[3],
+    double coefficients[BESSEMER_RESTRICT 3])
 {
     double powers[9] = {0};
     for (uint32_t row = 0U; row < 3U; row++) {
@@ -16,8 +17,10 @@ void systems_of_equations_parabola(const double x[3], const double y[3], double 
     (void)lu_solve_f64_3(powers, coefficients);
 }
 
-void systems_of_equations_gain(const double p[36], const double r[36], double work_numbers[36],
-    inverse_f64_6_work_t *work_inverse_f64_6_work, double result[36])
+void systems_of_equations_gain(const double p[36], const double r[36],
+    double work_numbers[BESSEMER_RESTRICT 36],
+    inverse_f64_6_work_t *BESSEMER_RESTRICT work_inverse_f64_6_work,
+    double result[BESSEMER_RESTRICT 36])
 {
     double *const inverse = work_numbers;
     for (uint32_t i = 0U; i < 36U; i++) {

@@ -2,7 +2,7 @@
 
 /* transposed_factors.c */
 
-void transposed_factors_advance(belief_t *belief, const double advance[4])
+void transposed_factors_advance(belief_t *BESSEMER_RESTRICT belief, const double advance[4])
 {
     const double covariance_product[4] = {
         advance[0 + 2 * 0] * belief->covariance[0 + 2 * 0]
@@ -49,7 +49,7 @@ void transposed_factors_advance(belief_t *belief, const double advance[4])
 }
 
 void transposed_factors_corrected(const double covariance[9], const double gain[3],
-    const double row[3], double variance, double result[9])
+    const double row[3], double variance, double result[BESSEMER_RESTRICT 9])
 {
     static const double kept_matrix[9] = {
         1.0, 0.0, 0.0,
@@ -76,7 +76,7 @@ void transposed_factors_corrected(const double covariance[9], const double gain[
 }
 
 void transposed_factors_oblongs(const float a[6], const float b[6],
-    triple_matrix3x3_f32_matrix2x2_f32_matrix3x2_f32_t *result)
+    triple_matrix3x3_f32_matrix2x2_f32_matrix3x2_f32_t *BESSEMER_RESTRICT result)
 {
     {
         const float product[9] = {
@@ -125,7 +125,7 @@ void transposed_factors_oblongs(const float a[6], const float b[6],
 }
 
 void transposed_factors_lines(const double a[4], const double b[4],
-    triple_matrix1x4_f64_vector4_f64_f64_t *result)
+    triple_matrix1x4_f64_vector4_f64_f64_t *BESSEMER_RESTRICT result)
 {
     result->first[0] = a[0] + b[0];
     result->first[1] = a[1] + b[1];
@@ -143,7 +143,7 @@ void transposed_factors_lines(const double a[4], const double b[4],
 }
 
 void transposed_factors_large(const double a[20], const double b[30],
-    pair_matrix4x6_f64_matrix5x5_f64_t *result)
+    pair_matrix4x6_f64_matrix5x5_f64_t *BESSEMER_RESTRICT result)
 {
     tr_product_f64_5x4_5x6(a, b, result->first);
     double result_product[25];

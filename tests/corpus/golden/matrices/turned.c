@@ -16,7 +16,8 @@ void turned_by_matrix(float roll, float pitch, float yaw, triple_f32_f32_f32_t *
     rotation_matrix_euler_angles_f32(result_m, result);
 }
 
-void turned_part_of_the_way(const double a[3], const double b[3], double share, double result[3])
+void turned_part_of_the_way(const double a[3], const double b[3], double share,
+    double result[BESSEMER_RESTRICT 3])
 {
     unit_quaternion_f64_t from;
     rotation_from_scaled_axis_f64(a, &from);
@@ -27,7 +28,8 @@ void turned_part_of_the_way(const double a[3], const double b[3], double share, 
     rotation_scaled_axis_f64(&result_q, result);
 }
 
-void turned_between(const double a[3], const double b[3], option_pair_vector3_f64_f64_t *result)
+void turned_between(const double a[3], const double b[3],
+    option_pair_vector3_f64_f64_t *BESSEMER_RESTRICT result)
 {
     option_pair_vector3_f64_f64_t option;
     norms_try_direction_and_norm_f64_3(a, 1e-6, &option);
@@ -62,7 +64,8 @@ void turned_between(const double a[3], const double b[3], option_pair_vector3_f6
     result->value.second = option_2.value.second;
 }
 
-void turned_share_between(const float a[3], const float b[3], float share, option_f32x4_t *result)
+void turned_share_between(const float a[3], const float b[3], float share,
+    option_f32x4_t *BESSEMER_RESTRICT result)
 {
     option_unit_quaternion_f32_t whole_option;
     rotation_rotation_between_f32(a, b, &whole_option);
@@ -104,7 +107,8 @@ void turned_share_between(const float a[3], const float b[3], float share, optio
     result->value[3] = left.k;
 }
 
-void turned_about(const float axis[3], float angle, unit_quaternion_f32_t *unit_quaternion)
+void turned_about(const float axis[3], float angle,
+    unit_quaternion_f32_t *BESSEMER_RESTRICT unit_quaternion)
 {
     rotation_from_axis_angle_f32(axis, angle, unit_quaternion);
 }

@@ -13,7 +13,7 @@ void rotation2_from_euler_angles(int16_t degrees, rotation2_t *rotation2)
 }
 
 bessemer_status_t rotation2_rotation_between(const rotation2_t *self, const rotation2_t *other,
-    rotation2_t *rotation2)
+    rotation2_t *BESSEMER_RESTRICT rotation2)
 {
     if ((int64_t)other->steps - (int64_t)self->steps < INT32_MIN
             || (int64_t)other->steps - (int64_t)self->steps > INT32_MAX) {
@@ -43,7 +43,8 @@ void turned_by_type_renamed(double roll, double pitch, double yaw,
     rotation_from_euler_angles_f64(roll, pitch, yaw, unit_quaternion);
 }
 
-void turned_by_type_in_space(const double a[3], const double b[3], double result[9])
+void turned_by_type_in_space(const double a[3], const double b[3],
+    double result[BESSEMER_RESTRICT 9])
 {
     double first[9];
     rotation_matrix_from_scaled_axis_f64(a, first);

@@ -2,7 +2,8 @@
 
 /* unit_quaternions.c */
 
-void unit_quaternions_in_world(const attitudes_t *attitudes, const double seen[3], double result[3])
+void unit_quaternions_in_world(const attitudes_t *attitudes, const double seen[3],
+    double result[BESSEMER_RESTRICT 3])
 {
     unit_quaternion_f64_t result_q;
     unit_quaternion_product_f64(&attitudes->body, &attitudes->camera, &result_q);
@@ -10,7 +11,7 @@ void unit_quaternions_in_world(const attitudes_t *attitudes, const double seen[3
 }
 
 void unit_quaternions_error(const unit_quaternion_f64_t *wanted, const unit_quaternion_f64_t *is,
-    double result[3])
+    double result[BESSEMER_RESTRICT 3])
 {
     unit_quaternion_f64_t error_first;
     unit_quaternion_inverse_f64(is, &error_first);
@@ -29,7 +30,7 @@ void unit_quaternions_error(const unit_quaternion_f64_t *wanted, const unit_quat
 }
 
 void unit_quaternions_turned(const unit_quaternion_f32_t *attitude, const float rates[3],
-    float period, unit_quaternion_f32_t *unit_quaternion)
+    float period, unit_quaternion_f32_t *BESSEMER_RESTRICT unit_quaternion)
 {
     const float unit_quaternion_axis[3] = {rates[0] * period, rates[1] * period, rates[2] * period};
     unit_quaternion_append_axisangle_linearized_f32(attitude, unit_quaternion_axis,
@@ -37,14 +38,14 @@ void unit_quaternions_turned(const unit_quaternion_f32_t *attitude, const float 
 }
 
 void unit_quaternions_halves(const unit_quaternion_f64_t *one, const unit_quaternion_f64_t *other,
-    pair_unit_quaternion_f64_unit_quaternion_f64_t *result)
+    pair_unit_quaternion_f64_unit_quaternion_f64_t *BESSEMER_RESTRICT result)
 {
     unit_quaternion_nlerp_f64(one, other, 0.5, &result->first);
     unit_quaternion_rotation_to_f64(&result->first, other, &result->second);
 }
 
 void unit_quaternions_same(const attitudes_t *one, const attitudes_t *other,
-    pair_bool_bool_t *result)
+    pair_bool_bool_t *BESSEMER_RESTRICT result)
 {
     const bool result_part = attitudes_equal(one, other);
     const quaternion_f64_t quaternion_q = {
@@ -78,7 +79,7 @@ void unit_quaternions_received(double w, double i, double j, double k,
 }
 
 void unit_quaternions_there_and_back(const unit_quaternion_f64_t *q,
-    unit_quaternion_f64_t *unit_quaternion)
+    unit_quaternion_f64_t *BESSEMER_RESTRICT unit_quaternion)
 {
     double unit_quaternion_m[9];
     unit_quaternion_to_rotation_matrix_f64(q, unit_quaternion_m);
@@ -86,7 +87,7 @@ void unit_quaternions_there_and_back(const unit_quaternion_f64_t *q,
 }
 
 void unit_quaternions_mixed(const unit_quaternion_f64_t *q, const double m[9],
-    unit_quaternion_f64_t *unit_quaternion)
+    unit_quaternion_f64_t *BESSEMER_RESTRICT unit_quaternion)
 {
     unit_quaternion_f64_t unit_quaternion_first;
     unit_quaternion_product_with_matrix_f64(q, m, &unit_quaternion_first);
@@ -116,7 +117,7 @@ float unit_quaternions_parts(const unit_quaternion_f32_t *q)
 }
 
 void unit_quaternions_points(const unit_quaternion_f64_t *q, const double p[3], const double d[3],
-    triple_vector3_f64_vector3_f64_matrix4x4_f64_t *result)
+    triple_vector3_f64_vector3_f64_matrix4x4_f64_t *BESSEMER_RESTRICT result)
 {
     double there[3];
     unit_quaternion_transform_vector_f64(q, p, there);
@@ -127,7 +128,7 @@ void unit_quaternions_points(const unit_quaternion_f64_t *q, const double p[3], 
 }
 
 void unit_quaternions_all(const unit_quaternion_f64_t joints[4],
-    unit_quaternion_f64_t *unit_quaternion)
+    unit_quaternion_f64_t *BESSEMER_RESTRICT unit_quaternion)
 {
     unit_quaternion_f64_t whole = {.i = 0.0, .j = 0.0, .k = 0.0, .w = 1.0};
     for (uint32_t i = 0U; i < 4U; i++) {
@@ -140,7 +141,7 @@ void unit_quaternions_all(const unit_quaternion_f64_t joints[4],
     unit_quaternion_quotient_f64(&whole, &joints[0], unit_quaternion);
 }
 
-void unit_quaternions_axis(const unit_quaternion_f64_t *q, double result[3])
+void unit_quaternions_axis(const unit_quaternion_f64_t *q, double result[BESSEMER_RESTRICT 3])
 {
     option_vector3_f64_t axis;
     unit_quaternion_axis_f64(q, &axis);

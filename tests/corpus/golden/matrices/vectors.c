@@ -3,7 +3,7 @@
 /* vectors.c */
 
 void vectors_velocity(const double velocity[3], const double force[3], double mass, double time,
-    double result[3])
+    double result[BESSEMER_RESTRICT 3])
 {
     const double acceleration[3] = {
         (force[0] - velocity[0] * 0.1) / mass,

@@ -10,7 +10,8 @@ double programs_matrices_views_along(const double axes[9])
         + result_vector[2] * result_vector_2[2];
 }
 
-void programs_matrices_views_attitude(const double covariance[36], double result[9])
+void programs_matrices_views_attitude(const double covariance[36],
+    double result[BESSEMER_RESTRICT 9])
 {
     result[0 + 3 * 0] = covariance[3 + 6 * 3];
     result[1 + 3 * 0] = covariance[4 + 6 * 3];
@@ -23,7 +24,8 @@ void programs_matrices_views_attitude(const double covariance[36], double result
     result[2 + 3 * 2] = covariance[5 + 6 * 5];
 }
 
-void programs_matrices_views_moved(const double state[6], const double velocity[3], double next[6])
+void programs_matrices_views_moved(const double state[6], const double velocity[3],
+    double next[BESSEMER_RESTRICT 6])
 {
     (void)memcpy(next, state, sizeof(double[6]));
     for (uint32_t row = 0U; row < 3U; row++) {

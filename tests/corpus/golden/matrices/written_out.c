@@ -26,7 +26,7 @@ void written_out_transition(double time, double result[9])
     result[2 + 3 * 2] = 1.0;
 }
 
-void written_out_frame(const float x[3], const float y[3], float result[9])
+void written_out_frame(const float x[3], const float y[3], float result[BESSEMER_RESTRICT 9])
 {
     const float result_cross[3] = {
         x[1] * y[2] - x[2] * y[1],
@@ -41,12 +41,12 @@ void written_out_frame(const float x[3], const float y[3], float result[9])
     parts_from_columns_f32_3_3((const float (*)[3])result_columns, result);
 }
 
-void written_out_table(const double values[6], double result[6])
+void written_out_table(const double values[6], double result[BESSEMER_RESTRICT 6])
 {
     parts_from_row_slice_f64_2_3_6(values, result);
 }
 
-void written_out_across(const double v[3], double result[3])
+void written_out_across(const double v[3], double result[BESSEMER_RESTRICT 3])
 {
     const double result_vector[3] = {0.0, 0.0, 1.0};
     result[0] = v[1] * result_vector[2] - v[2] * result_vector[1];
@@ -54,7 +54,7 @@ void written_out_across(const double v[3], double result[3])
     result[2] = v[0] * result_vector[1] - v[1] * result_vector[0];
 }
 
-void written_out_others(const double v[3], double noise, double result[9])
+void written_out_others(const double v[3], double noise, double result[BESSEMER_RESTRICT 9])
 {
     double result_cross_matrix_f64[9];
     parts_cross_matrix_f64(v, result_cross_matrix_f64);

@@ -10,7 +10,7 @@ void blocks_init(blocks_t *self)
     self->fault = BESSEMER_STATUS_OK;
 }
 
-void blocks_reset(blocks_t *self, const double cross[9], double noise)
+void blocks_reset(blocks_t *BESSEMER_RESTRICT self, const double cross[9], double noise)
 {
     for (uint32_t column = 0U; column < 3U; column++) {
         for (uint32_t row = 0U; row < 3U; row++) {
@@ -49,7 +49,7 @@ void blocks_exchange(blocks_t *self)
     }
 }
 
-void blocks_update(blocks_t *self, const double gain[6], const double row[6])
+void blocks_update(blocks_t *BESSEMER_RESTRICT self, const double gain[6], const double row[6])
 {
     for (uint32_t i = 0U; i < 3U; i++) {
         for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
@@ -71,7 +71,7 @@ void blocks_update(blocks_t *self, const double gain[6], const double row[6])
     }
 }
 
-bessemer_status_t blocks_set(blocks_t *self, uint64_t at, const double part[3])
+bessemer_status_t blocks_set(blocks_t *BESSEMER_RESTRICT self, uint64_t at, const double part[3])
 {
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;

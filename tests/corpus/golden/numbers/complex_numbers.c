@@ -5,7 +5,7 @@
 static const complex_number_f64_t COMPLEX_DEFAULT = {.re = 0.0, .im = 0.0};
 
 void complex_numbers_arithmetic(const complex_number_f64_t *a, const complex_number_f64_t *b,
-    complex_number_f64_t *complex_number)
+    complex_number_f64_t *BESSEMER_RESTRICT complex_number)
 {
     complex_number_f64_t sum;
     bessemer_complex_sum_f64(a, b, &sum);
@@ -31,7 +31,7 @@ void complex_numbers_arithmetic(const complex_number_f64_t *a, const complex_num
 }
 
 void complex_numbers_with_reals(const complex_number_f32_t *z, float x,
-    complex_number_f32_t result[4])
+    complex_number_f32_t result[BESSEMER_RESTRICT 4])
 {
     complex_number_f32_t scaled;
     bessemer_complex_scale_f32(z, 2.0F, &scaled);
@@ -62,7 +62,7 @@ void complex_numbers_with_reals(const complex_number_f32_t *z, float x,
 }
 
 void complex_numbers_parts(const complex_number_f64_t *z, uint32_t n,
-    tuple4_f64_f64_complex_number_f64_bool_t *result)
+    tuple4_f64_f64_complex_number_f64_bool_t *BESSEMER_RESTRICT result)
 {
     complex_number_f64_t turned_a;
     bessemer_complex_conj_f64(z, &turned_a);
@@ -88,7 +88,7 @@ void complex_numbers_parts(const complex_number_f64_t *z, uint32_t n,
 }
 
 void complex_numbers_polar(const complex_number_f32_t *z, float share,
-    complex_number_f32_t *complex_number)
+    complex_number_f32_t *BESSEMER_RESTRICT complex_number)
 {
     pair_f32_f32_t pair;
     bessemer_complex_to_polar_f32(z, &pair);
@@ -101,7 +101,8 @@ void complex_numbers_polar(const complex_number_f32_t *z, float share,
     bessemer_complex_unscale_f32(&turned, bessemer_complex_norm_f32(z), complex_number);
 }
 
-void complex_numbers_strength(const complex_number_f64_t parts[3], double result[2])
+void complex_numbers_strength(const complex_number_f64_t parts[3],
+    double result[BESSEMER_RESTRICT 2])
 {
     complex_number_f64_t sum = {.re = 0.0, .im = 0.0};
     for (uint32_t i = 0U; i < 3U; i++) {
@@ -113,7 +114,8 @@ void complex_numbers_strength(const complex_number_f64_t parts[3], double result
     result[1] = bessemer_complex_norm_sqr_f64(&sum);
 }
 
-void complex_numbers_functions(const complex_number_f64_t *z, complex_number_f64_t result[5])
+void complex_numbers_functions(const complex_number_f64_t *z,
+    complex_number_f64_t result[BESSEMER_RESTRICT 5])
 {
     complex_number_f64_t result_exp_f64;
     bessemer_complex_exp_f64(z, &result_exp_f64);
@@ -141,7 +143,7 @@ void complex_numbers_functions(const complex_number_f64_t *z, complex_number_f64
 }
 
 void complex_numbers_polynomial_3(const double coefficients[3], const complex_number_f64_t *z,
-    complex_number_f64_t *value)
+    complex_number_f64_t *BESSEMER_RESTRICT value)
 {
     *value = COMPLEX_DEFAULT;
     for (uint32_t i = 0U; i < 3U; i++) {
@@ -173,7 +175,8 @@ void resonator_init(resonator_t *self)
     self->state.im = 0.0F;
 }
 
-float resonator_step(resonator_t *self, float sample, const complex_number_f32_t *pole)
+float resonator_step(resonator_t *BESSEMER_RESTRICT self, float sample,
+    const complex_number_f32_t *pole)
 {
     complex_number_f32_t state_a;
     bessemer_complex_product_f32(&self->state, pole, &state_a);

@@ -26,7 +26,7 @@ bessemer_status_t not_zero_share(uint32_t counts, uint32_t of, option_u32_t *res
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t periods_both(const periods_t *self, uint32_t *result)
+bessemer_status_t periods_both(const periods_t *self, uint32_t *BESSEMER_RESTRICT result)
 {
     const non_zero_u16_t it = self->ticks[0];
     uint32_t low = (uint32_t)it.value;

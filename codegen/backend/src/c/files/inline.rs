@@ -8,13 +8,11 @@ use std::collections::BTreeSet;
 
 use bessemer_ir::FunctionId;
 
+use super::draft::Draft;
 use super::includes::Includes;
 use super::{Unit, Writer};
-use crate::c::assemble::assemble;
 use crate::c::context::{Context, Uses};
-use crate::c::file::CFile;
 use crate::c::options::Options;
-use crate::c::shell::Shell;
 use crate::c::tree::{Item, Storage};
 use crate::c::{asked, internal};
 
@@ -23,7 +21,7 @@ pub(super) fn shared(
     context: Context<'_>,
     options: &Options,
     called: &BTreeSet<FunctionId>,
-) -> (Option<CFile>, Uses) {
+) -> (Option<Draft>, Uses) {
     let name = internal::inline(options);
     let mut uses = Uses { file: name.clone(), called: called.clone(), ..Uses::default() };
     let (mut includes, mut asked) = (Includes::default(), BTreeSet::new());
@@ -45,18 +43,18 @@ pub(super) fn shared(
         asked.iter().map(|asked| Item::Verbatim(asked.text(options))).collect();
     items.extend(definitions.into_iter().rev());
     includes.uses(context, options, &mut uses);
-    let shell = Shell {
-        about: &[],
-        file: &name,
-        header: &name,
-        summary: "small functions that stand where they are called; for the sources beside it alone.",
-        source: &context.module.name,
-        license: &options.license,
-        system_includes: includes.system(),
-        own_includes: includes.own(&name),
-        calls: false,
-        refuses: true,
+    let draft = Draft {
+        header: name.clone(),
+        name,
+        summary:
+            "small functions that stand where they are called; for the sources beside it alone."
+                .to_owned(),
+        about: Vec::new(),
+        source: context.module.name.clone(),
+        public: false,
         computes: false,
+        items,
+        includes,
     };
-    (Some(assemble(context, &name, &shell, true, &items)), uses)
+    (Some(draft), uses)
 }

@@ -1,0 +1,127 @@
+//! Writes into the heads of functions what their callers promise: memory that no other argument shares, and a look at
+//! the status.
+//!
+//! A pointer to what a function writes is `restrict` if the function has another pointer, so compilers report a call
+//! that breaks the promise. Kernels do without: there it costs registers. So do functions for which a call within the
+//! C is not proved to keep it ([`apart`]). Must not know: how functions are lowered.
+
+use std::collections::BTreeSet;
+
+use super::draft::Draft;
+use crate::c::apart;
+use crate::c::assemble::assemble;
+use crate::c::context::Context;
+use crate::c::file::CFile;
+use crate::c::options::Options;
+use crate::c::shell::Shell;
+use crate::c::spelling::identifier;
+use crate::c::tree::{Head, Item, Storage};
+use bessemer_ir::Form;
+
+/// Writes the promises into the files, and returns the header of their macros if one is used.
+pub(super) fn write(
+    context: Context<'_>,
+    options: &Options,
+    drafts: &mut [Draft],
+) -> Option<CFile> {
+    let functions = drafts.iter().flat_map(|draft| &draft.items);
+    let mut left_out = apart::unproved(functions, &in_unions(context));
+    let kernels = context.module.functions.iter().zip(&context.names.functions);
+    left_out
+        .extend(kernels.filter(|(it, _)| it.kernel.is_some()).map(|(_, names)| names.name.clone()));
+    let macros = Macros::new(options);
+    let header = options.header(&format!("{}_calls", identifier(&options.status)));
+    let mut used = false;
+    for draft in drafts {
+        let mut own = false;
+        for item in &mut draft.items {
+            let (head, declared) = match item {
+                Item::Prototype { head, .. } => (head, true),
+                Item::Function { head, .. } => (head, false),
+                _ => continue,
+            };
+            if matches!(head.storage, Storage::Extern | Storage::Static) {
+                own |= !left_out.contains(&head.name) && restrict(head, &macros.restrict);
+                if declared
+                    && head.storage == Storage::Extern
+                    && head.result == context.names.status.ty
+                {
+                    head.result = format!("{} {}", macros.must_use, head.result);
+                    own = true;
+                }
+            }
+        }
+        if own {
+            draft.includes.own.insert(header.clone());
+        }
+        used |= own;
+    }
+    used.then(|| macros.header(context, options, &header))
+}
+
+/// Returns the fields that share memory with other fields.
+fn in_unions(context: Context<'_>) -> BTreeSet<String> {
+    let structs = context.module.structs.iter().zip(&context.names.structs);
+    let shared = structs.flat_map(|(item, names)| match item.form {
+        Form::Shared => &names.fields[..],
+        _ if item.overlaid() => &names.fields[1..],
+        _ => &[],
+    });
+    shared.cloned().collect()
+}
+
+/// Marks the pointers to what a function writes, and returns true if there is one.
+fn restrict(head: &mut Head, word: &str) -> bool {
+    let written = apart::written(head);
+    for index in &written {
+        let param = &mut head.params[*index];
+        match param.dimensions.strip_prefix('[') {
+            Some(rest) if rest.starts_with(']') => param.dimensions = format!("[{word}{rest}"),
+            Some(rest) => param.dimensions = format!("[{word} {rest}"),
+            None => param.ty.push_str(word),
+        }
+    }
+    !written.is_empty()
+}
+
+struct Macros {
+    restrict: String,
+    must_use: String,
+}
+
+impl Macros {
+    fn new(options: &Options) -> Macros {
+        let stem = identifier(&options.status).to_uppercase();
+        Macros { restrict: format!("{stem}_RESTRICT"), must_use: format!("{stem}_MUST_USE") }
+    }
+
+    fn header(&self, context: Context<'_>, options: &Options, name: &str) -> CFile {
+        let Macros { restrict, must_use } = self;
+        let restrict = format!(
+            "/*\n * Marks a pointer to what a function writes: no other argument leads to memory that it writes there.\n \
+             * A call that breaks this is undefined; gcc reports the plain cases (-Wrestrict, which is in -Wall).\n \
+             * Defined as nothing, the C makes no use of the promise. C++ has no such word.\n */\n\
+             #ifndef {restrict}\n#if defined(__cplusplus)\n#define {restrict}\n#else\n#define {restrict} restrict\n\
+             #endif\n#endif"
+        );
+        let must_use = format!(
+            "/* Has compilers report a call whose status nobody looks at. Nothing where the compiler is not known. */\n\
+             #ifndef {must_use}\n#if defined(__GNUC__)\n\
+             #define {must_use} __attribute__((warn_unused_result))\n#else\n#define {must_use}\n#endif\n#endif"
+        );
+        let shell = Shell {
+            about: &[],
+            file: name,
+            header: name,
+            summary: "what callers of the functions promise.",
+            source: &context.module.name,
+            license: &options.license,
+            system_includes: Vec::new(),
+            own_includes: Vec::new(),
+            calls: false,
+            refuses: true,
+            computes: false,
+        };
+        assemble(context, name, &shell, true, &[Item::Verbatim(restrict), Item::Verbatim(must_use)])
+    }
+}
