@@ -42,7 +42,7 @@ void attitude_filter_level(double angle, double bias, attitude_filter_t *attitud
 }
 
 void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const double measured[3],
-    double period, double noise, double drift, double work[BESSEMER_RESTRICT 180])
+    double period, double noise, double drift, double work[BESSEMER_RESTRICT 144])
 {
     orientation_t orientation;
     orientation_of(self->angles, &orientation);
@@ -67,14 +67,12 @@ void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const do
     }
     double *const covariance_growth = &work[36];
     covariance_diagonal_6(growth, covariance_growth);
-    double *const covariance_next = &work[72];
-    covariance_grown_6(self->covariance, advance, covariance_growth, &work[108], covariance_next);
-    (void)memcpy(self->covariance, covariance_next, sizeof(double[36]));
+    covariance_grown_6(self->covariance, advance, covariance_growth, &work[72], self->covariance);
 }
 
 bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, const double row[6],
     const double moves[6], double innovation, double variance, double gate,
-    double work[BESSEMER_RESTRICT 144])
+    double work[BESSEMER_RESTRICT 108])
 {
     double spread[6];
     product_f64_6x6_6x1(self->covariance, row, spread);
@@ -97,9 +95,7 @@ bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, const do
         self->angles[n] += gain[n] * innovation;
         self->bias[n] += gain[n + 3U] * innovation;
     }
-    double *const covariance_next = work;
-    covariance_corrected_6(self->covariance, row, gain, variance, &work[36], covariance_next);
-    (void)memcpy(self->covariance, covariance_next, sizeof(double[36]));
+    covariance_corrected_6(self->covariance, row, gain, variance, work, self->covariance);
     return true;
 }
 

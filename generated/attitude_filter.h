@@ -44,7 +44,7 @@ void attitude_filter_level(double angle, double bias, attitude_filter_t *attitud
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const double measured[3],
-    double period, double noise, double drift, double work[BESSEMER_RESTRICT 180]);
+    double period, double noise, double drift, double work[BESSEMER_RESTRICT 144]);
 
 /**
  * Corrects the state by a measurement of the angle that `row` selects: `innovation` is measured minus estimated.
@@ -57,7 +57,7 @@ void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const do
  */
 bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, const double row[6],
     const double moves[6], double innovation, double variance, double gate,
-    double work[BESSEMER_RESTRICT 144]);
+    double work[BESSEMER_RESTRICT 108]);
 
 #ifdef __cplusplus
 }

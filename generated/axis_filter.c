@@ -13,7 +13,6 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "bessemer_calls.h"
 #include "bessemer_target.h"
@@ -46,9 +45,7 @@ void axis_filter_predict(axis_filter_t *self, double acceleration, double period
     const double growth_values[3] = {slip * slip, push * push, wander};
     double growth[9];
     covariance_diagonal_3(growth_values, growth);
-    double covariance_next[9];
-    covariance_grown_3(self->covariance, advance, growth, covariance_next);
-    (void)memcpy(self->covariance, covariance_next, sizeof(double[9]));
+    covariance_grown_3(self->covariance, advance, growth, self->covariance);
 }
 
 void axis_filter_inflate(axis_filter_t *self)
@@ -84,8 +81,6 @@ bool axis_filter_correct(axis_filter_t *BESSEMER_RESTRICT self, const double row
     self->state[0] += gain[0] * innovation;
     self->state[1] += gain[1] * innovation;
     self->state[2] += gain[2] * innovation;
-    double covariance_next[9];
-    covariance_corrected_3(self->covariance, row, gain, variance, covariance_next);
-    (void)memcpy(self->covariance, covariance_next, sizeof(double[9]));
+    covariance_corrected_3(self->covariance, row, gain, variance, self->covariance);
     return true;
 }

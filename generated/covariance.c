@@ -45,7 +45,7 @@ void covariance_diagonal_6(const double values[6], double all[BESSEMER_RESTRICT 
 }
 
 void covariance_grown_3(const double covariance[9], const double advance[9], const double growth[9],
-    double result[BESSEMER_RESTRICT 9])
+    double result[9])
 {
     double result_product[9];
     product_f64_3x3_3x3(advance, covariance, result_product);
@@ -59,8 +59,7 @@ void covariance_grown_3(const double covariance[9], const double advance[9], con
 }
 
 void covariance_grown_6(const double covariance[36], const double advance[36],
-    const double growth[36], double work[BESSEMER_RESTRICT 72],
-    double result[BESSEMER_RESTRICT 36])
+    const double growth[36], double work[BESSEMER_RESTRICT 72], double result[36])
 {
     double *const result_product = work;
     product_f64_6x6_6x6(advance, covariance, result_product);
@@ -74,7 +73,7 @@ void covariance_grown_6(const double covariance[36], const double advance[36],
 }
 
 void covariance_corrected_3(const double covariance[9], const double row[3], const double gain[3],
-    double variance, double result[BESSEMER_RESTRICT 9])
+    double variance, double result[9])
 {
     static const double kept_matrix[9] = {
         1.0, 0.0, 0.0,
@@ -103,7 +102,7 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
 }
 
 void covariance_corrected_6(const double covariance[36], const double row[6], const double gain[6],
-    double variance, double work[BESSEMER_RESTRICT 108], double result[BESSEMER_RESTRICT 36])
+    double variance, double work[BESSEMER_RESTRICT 108], double result[36])
 {
     static const double kept_matrix[36] = {
         1.0, 0.0, 0.0, 0.0, 0.0, 0.0,

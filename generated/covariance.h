@@ -41,7 +41,7 @@ void covariance_diagonal_6(const double values[6], double all[BESSEMER_RESTRICT 
  * `covariance`, `advance`, `growth`, `result` by columns: [row + 3 * column].
  */
 void covariance_grown_3(const double covariance[9], const double advance[9], const double growth[9],
-    double result[BESSEMER_RESTRICT 9]);
+    double result[9]);
 
 /**
  * Propagates a covariance by the Jacobian `advance` and adds the process noise `growth`.
@@ -50,8 +50,7 @@ void covariance_grown_3(const double covariance[9], const double advance[9], con
  * `covariance`, `advance`, `growth`, `result` by columns: [row + 6 * column].
  */
 void covariance_grown_6(const double covariance[36], const double advance[36],
-    const double growth[36], double work[BESSEMER_RESTRICT 72],
-    double result[BESSEMER_RESTRICT 36]);
+    const double growth[36], double work[BESSEMER_RESTRICT 72], double result[36]);
 
 /**
  * Corrects a covariance by a scalar measurement, in Joseph's form: (I − K h) P (I − K h)ᵀ + K r Kᵀ. `row` is h, `gain`
@@ -60,7 +59,7 @@ void covariance_grown_6(const double covariance[36], const double advance[36],
  * `covariance`, `result` by columns: [row + 3 * column].
  */
 void covariance_corrected_3(const double covariance[9], const double row[3], const double gain[3],
-    double variance, double result[BESSEMER_RESTRICT 9]);
+    double variance, double result[9]);
 
 /**
  * Corrects a covariance by a scalar measurement, in Joseph's form: (I − K h) P (I − K h)ᵀ + K r Kᵀ. `row` is h, `gain`
@@ -70,7 +69,7 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
  * `covariance`, `result` by columns: [row + 6 * column].
  */
 void covariance_corrected_6(const double covariance[36], const double row[6], const double gain[6],
-    double variance, double work[BESSEMER_RESTRICT 108], double result[BESSEMER_RESTRICT 36]);
+    double variance, double work[BESSEMER_RESTRICT 108], double result[36]);
 
 #ifdef __cplusplus
 }

@@ -83,28 +83,28 @@ static void estimator_read_inertial(estimator_t *BESSEMER_RESTRICT self, const s
     const push_t *commanded, const measured_t *measured);
 static double estimator_reset_timeout(const estimator_t *self);
 static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    double work[BESSEMER_RESTRICT 180]);
+    double work[BESSEMER_RESTRICT 144]);
 static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const measured_t *measured, double work[BESSEMER_RESTRICT 144]);
+    const sensors_t *sensors, const measured_t *measured, double work[BESSEMER_RESTRICT 108]);
 static bool estimator_correct_angles(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    const double angles[3], double work[BESSEMER_RESTRICT 144]);
+    const double angles[3], double work[BESSEMER_RESTRICT 108]);
 static bool estimator_correct_position(estimator_t *BESSEMER_RESTRICT self,
     const sensors_t *sensors, const double place[3]);
 static void estimator_inflate_covariance(estimator_t *self);
 static void estimator_correct_without_vicon(estimator_t *BESSEMER_RESTRICT self,
     const sensors_t *sensors, const measured_t *measured, bool echo_is_new, bool flow_is_new,
-    double work[BESSEMER_RESTRICT 144]);
+    double work[BESSEMER_RESTRICT 108]);
 static bool estimator_correct_height(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
     double distance, const orientation_t *orientation);
 static bool estimator_correct_velocity(estimator_t *BESSEMER_RESTRICT self,
     const sensors_t *sensors, const double flow[2], const orientation_t *orientation,
-    double work[BESSEMER_RESTRICT 144]);
+    double work[BESSEMER_RESTRICT 108]);
 static void estimator_tilt_from_force(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    double work[BESSEMER_RESTRICT 144]);
+    double work[BESSEMER_RESTRICT 108]);
 static void estimator_tilt_from_acceleration(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const double acceleration[3], double work[BESSEMER_RESTRICT 144]);
+    const sensors_t *sensors, const double acceleration[3], double work[BESSEMER_RESTRICT 108]);
 static void estimator_correct_tilt(estimator_t *BESSEMER_RESTRICT self, double roll, double pitch,
-    double variance, double gate, double work[BESSEMER_RESTRICT 144]);
+    double variance, double gate, double work[BESSEMER_RESTRICT 108]);
 static void estimator_velocity(const estimator_t *self, double result[BESSEMER_RESTRICT 3]);
 static void estimator_state(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
     estimate_t *BESSEMER_RESTRICT estimate);
@@ -281,7 +281,7 @@ static double estimator_reset_timeout(const estimator_t *self)
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    double work[BESSEMER_RESTRICT 180])
+    double work[BESSEMER_RESTRICT 144])
 {
     double noise[2] = {sensors->gyroscope[0], sensors->gyroscope[1]};
     if (estimator_gyro_lost(self)) {
@@ -337,7 +337,7 @@ static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const measured_t *measured, double work[BESSEMER_RESTRICT 144])
+    const sensors_t *sensors, const measured_t *measured, double work[BESSEMER_RESTRICT 108])
 {
     const vicon_t *const vicon = &measured->vicon;
     const double space[3] = {
@@ -372,7 +372,7 @@ static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 static bool estimator_correct_angles(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    const double angles[3], double work[BESSEMER_RESTRICT 144])
+    const double angles[3], double work[BESSEMER_RESTRICT 108])
 {
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
@@ -432,7 +432,7 @@ static void estimator_inflate_covariance(estimator_t *self)
  */
 static void estimator_correct_without_vicon(estimator_t *BESSEMER_RESTRICT self,
     const sensors_t *sensors, const measured_t *measured, bool echo_is_new, bool flow_is_new,
-    double work[BESSEMER_RESTRICT 144])
+    double work[BESSEMER_RESTRICT 108])
 {
     if (self->force_measured && !estimator_gyro_lost(self)) {
         estimator_tilt_from_force(self, sensors, work);
@@ -485,7 +485,7 @@ static bool estimator_correct_height(estimator_t *BESSEMER_RESTRICT self, const 
  */
 static bool estimator_correct_velocity(estimator_t *BESSEMER_RESTRICT self,
     const sensors_t *sensors, const double flow[2], const orientation_t *orientation,
-    double work[BESSEMER_RESTRICT 144])
+    double work[BESSEMER_RESTRICT 108])
 {
     double rotation[9];
     orientation_rotation(orientation, rotation);
@@ -545,7 +545,7 @@ static bool estimator_correct_velocity(estimator_t *BESSEMER_RESTRICT self,
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 static void estimator_tilt_from_force(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    double work[BESSEMER_RESTRICT 144])
+    double work[BESSEMER_RESTRICT 108])
 {
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
@@ -564,7 +564,7 @@ static void estimator_tilt_from_force(estimator_t *BESSEMER_RESTRICT self, const
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 static void estimator_tilt_from_acceleration(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const double acceleration[3], double work[BESSEMER_RESTRICT 144])
+    const sensors_t *sensors, const double acceleration[3], double work[BESSEMER_RESTRICT 108])
 {
     const double roll = arctangent_atan2(acceleration[1], AIRFRAME_GRAVITY);
     const double pitch = arctangent_atan2(-acceleration[0],
@@ -579,7 +579,7 @@ static void estimator_tilt_from_acceleration(estimator_t *BESSEMER_RESTRICT self
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 static void estimator_correct_tilt(estimator_t *BESSEMER_RESTRICT self, double roll, double pitch,
-    double variance, double gate, double work[BESSEMER_RESTRICT 144])
+    double variance, double gate, double work[BESSEMER_RESTRICT 108])
 {
     const double seen[2] = {roll, pitch};
     static const double moves[6] = {1.0, 1.0, 0.0, 1.0, 1.0, 0.0};

@@ -11,6 +11,11 @@
 
 #include "bessemer_target.h"
 
+/* Where double is computed in software, its functions take the time, and loops are as fast in a tenth of the code. */
+#if !defined(BESSEMER_LOOPS) && defined(__arm__) && (!defined(__ARM_FP) || (__ARM_FP & 8) == 0)
+#define BESSEMER_LOOPS
+#endif
+
 /* What this kernel computes; with -DBESSEMER_LOOPS, how it does. Every other way below gives the same bits: it takes other
    elements side by side, each of them in this order. */
 #if defined(BESSEMER_LOOPS)

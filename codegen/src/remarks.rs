@@ -8,7 +8,7 @@ use bessemer_ir::tree::{self, DefinitionKind, Package, Site, Ty};
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{Const, ConstId, ExprKind, Function, Module, Owner, Role, Span, Type};
 
-use bessemer_backend::c::outside;
+use bessemer_backend::c::{Options, Plan, outside};
 use bessemer_backend::passes;
 use bessemer_frontend::diagnostic::{Diagnostic, Level};
 
@@ -191,7 +191,7 @@ fn unchecked(module: &Module) -> impl Iterator<Item = Diagnostic> + '_ {
             else {
                 continue;
             };
-            if of.variants.len() < 2 || last == Some(it.parameter) {
+            if of.variants.len() < 2 || of.has_fallback() || last == Some(it.parameter) {
                 continue;
             }
             last = Some(it.parameter);
@@ -202,7 +202,7 @@ fn unchecked(module: &Module) -> impl Iterator<Item = Diagnostic> + '_ {
                 of.name
             );
             let help = format!(
-                "write `#[entry]`, which returns a status and checks it; without, no variant takes the last arm of each `match`, and is `{}` elsewhere",
+                "write `#[entry]`, which returns a status and checks it, or `#[c(fallback)]` above the variant as which it shall count; without, no variant takes the last arm of each `match`, and is `{}` elsewhere",
                 variant.name
             );
             let site = Site(function.span.line, function.span.column);
@@ -210,6 +210,20 @@ fn unchecked(module: &Module) -> impl Iterator<Item = Diagnostic> + '_ {
         }
         warnings
     })
+}
+
+/// Returns a remark for each function whose external name begins as another one's, as far as every linker looks.
+pub fn alike(explicit: &Module, options: &Options) -> Vec<Diagnostic> {
+    let alike = Plan::new(explicit, options).alike();
+    let remark = |(span, name, earlier): (Span, String, String)| {
+        let file = explicit.files.get(span.file as usize)?;
+        let message = format!(
+            "`{name}` and `{earlier}` of the C begin with the same 31 characters, and some linkers see no more"
+        );
+        let help = "give one a shorter name in the C: `#[c(name = \"…\")]`";
+        Some(warning(file, Site(span.line, span.column), message, help))
+    };
+    alike.into_iter().filter_map(remark).collect()
 }
 
 /// Returns the span of the first use of a constant.

@@ -135,3 +135,21 @@ pub struct Share {
 }
 
 fn main() {}
+
+#[data]
+#[derive(Clone, Copy, Debug)]
+pub enum Chosen {
+    #[c(fallback)]
+    First,
+    #[c(fallback)]
+    Second,
+    #[c(fallback)]
+    Third(f64),
+}
+
+#[data]
+#[derive(Clone, Copy, Debug)]
+pub struct Unchosen {
+    #[c(fallback)]
+    pub value: f64,
+}

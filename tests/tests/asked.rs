@@ -240,7 +240,10 @@ fn a_hook_stands_in_place_of_a_status() {
     let options = Options { hook: Some("pump_fault".into()), ..Options::default() };
     let compiled = workspace.compiled_with(&options).unwrap_or_else(|said| panic!("{said}"));
     let header = file(&compiled, "pump.h");
-    assert!(header.contains("double PumpStroke(pump_t *self, uint64_t first,"), "{header}");
+    assert!(
+        header.contains("double PumpStroke(pump_t *BESSEMER_RESTRICT self, uint64_t first,"),
+        "{header}"
+    );
     assert!(!header.contains("status"), "{header}");
     let lines = printed(&compiled, HOOKED);
     assert!(lines.ends_with("fault 4\n") && lines.lines().count() == 2, "{lines}");

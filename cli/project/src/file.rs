@@ -1,6 +1,6 @@
 //! Reads `bessemer.toml`. Unknown keys and values that mean nothing are reported at their line and column.
 
-use bessemer_backend::kernels::replace;
+use bessemer_backend::kernels::{Mode, replace};
 use bessemer_codegen::compile::Options;
 use bessemer_frontend::diagnostic::Diagnostic;
 use serde_json::Value;
@@ -21,7 +21,10 @@ pub const NAME: &str = "bessemer.toml";
 pub fn read(name: &str, text: &str) -> Result<Settings, Vec<Diagnostic>> {
     let mut reader = Reader { name, text, settings: Settings::default(), wrong: Vec::new() };
     match DeTable::parse(text) {
-        Ok(table) => reader.table(table.get_ref(), ""),
+        Ok(table) => {
+            reader.table(table.get_ref(), "");
+            reader.together(table.get_ref());
+        }
         Err(error) => {
             let at = error.span().map_or(text.len(), |span| span.start);
             reader.tell(at, error.message().replace('\n', ", "), "write TOML: `key = value`");
@@ -77,6 +80,32 @@ impl Reader<'_> {
                     self.tell(key.span().start, format!("there is no key `{name}`"), &help);
                 }
             }
+        }
+    }
+
+    /// Checks the keys that require others.
+    fn together(&mut self, table: &DeTable<'_>) {
+        let Options { pragmas, self_test, kernels, .. } = &self.settings.options;
+        let (is_tested, is_plain) = (*self_test, kernels.mode == Mode::Plain);
+        let Some((key, _)) =
+            table.iter().find(|(key, _)| !pragmas && key.get_ref().as_ref() == "pragmas")
+        else {
+            return;
+        };
+        let at = key.span().start;
+        if !is_tested {
+            self.tell(
+                at,
+                "without pragmas, only the self test shows a wrong flag".to_owned(),
+                "add `self_test = true`, and call it once on the target",
+            );
+        }
+        if !is_plain {
+            self.tell(
+                at,
+                "kernels with vectors need their pragmas".to_owned(),
+                "write `mode = \"plain\"` below `[kernels]`",
+            );
         }
     }
 
@@ -233,7 +262,7 @@ fn nearest<'k>(written: &str, known: impl Iterator<Item = &'k str>) -> Option<&'
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bessemer_backend::kernels::{Mode, Processors, Tuning};
+    use bessemer_backend::kernels::{Processors, Tuning};
     use bessemer_codegen::compile::{Layout, Math, Standard};
 
     #[test]
@@ -254,7 +283,7 @@ mod tests {
     #[test]
     fn every_option_has_a_key() {
         let text = "prefix = \"acme_\"\nheaders = \"acme\"\nstatus = \"motor\"\nhook = \"stop\"\nc_standard = \"gnu11\"\n\
-            math = \"target\"\nlayout = \"array\"\nself_test = true\nkeep_checks = true\n\
+            math = \"target\"\nlayout = \"array\"\nself_test = true\nkeep_checks = true\npragmas = false\nascii = true\n\
             [kernels]\nmode = \"plain\"\nprocessors = \"cortex-m\"\ncode_bytes = 9\nthreads = 2\n\
             [[replacements]]\nroutine = \"product\"\nlibrary = \"CBLAS\"\ninclude = \"<cblas.h>\"\nbody = [\"x();\"]\n";
         let set = read(NAME, text).expect("it is sound").options;
@@ -272,6 +301,8 @@ mod tests {
             math,
             layout,
             self_test,
+            pragmas,
+            ascii,
             keep_checks,
         } = set;
         assert_eq!(
@@ -287,8 +318,8 @@ mod tests {
             (9, Mode::Plain, Processors::CortexM, 2)
         );
         assert_eq!(
-            (math, layout, self_test, keep_checks),
-            (Math::Target, Layout::Array, true, true)
+            (math, layout, self_test, keep_checks, pragmas, ascii),
+            (Math::Target, Layout::Array, true, true, false, true)
         );
     }
 

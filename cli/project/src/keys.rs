@@ -175,6 +175,18 @@ pub const KEYS: &[Key] = &[
         says: "Adds `bessemer_self_test()`, which checks the arithmetic of the target at run time.",
     },
     Key {
+        name: "pragmas",
+        kind: Kind::Flag(|to, flag| to.options.pragmas = flag),
+        default: "true",
+        says: "Keeps the pragmas by which gcc and clang compute as the Rust does whatever their flags say. `false` is for another compiler: the flags alone decide then, so it requires `self_test = true`, which shows a wrong one on the target, and `kernels.mode = \"plain\"`.",
+    },
+    Key {
+        name: "ascii",
+        kind: Kind::Flag(|to, flag| to.options.ascii = flag),
+        default: "false",
+        says: "Writes every comment in ASCII: `rad/s^2` for `rad/s²`, `pi` for `π`.",
+    },
+    Key {
         name: "keep_checks",
         kind: Kind::Flag(|to, flag| to.options.keep_checks = flag),
         default: "false",

@@ -12,6 +12,7 @@
 mod built;
 pub mod c;
 pub mod kernels;
+mod late;
 pub mod passes;
 mod uncopied;
 pub mod validate;

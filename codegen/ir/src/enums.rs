@@ -18,6 +18,18 @@ impl Enum {
         Some((numbers.clone().min()?, numbers.max()?))
     }
 
+    /// Returns the index of the variant as which a value counts in the C that is no variant: the author's choice, or
+    /// the last.
+    pub fn fallback(&self) -> usize {
+        let chosen = self.variants.iter().position(|variant| variant.given.fallback);
+        chosen.unwrap_or(self.variants.len().saturating_sub(1))
+    }
+
+    /// Returns true if the author chose the variant as which an invalid value counts.
+    pub fn has_fallback(&self) -> bool {
+        self.variants.iter().any(|variant| variant.given.fallback)
+    }
+
     /// Returns true if the author's numbers of the variants differ from 0, 1, 2 …
     pub fn is_numbered(&self) -> bool {
         (0..).zip(&self.variants).any(|(index, variant)| variant.value != index)

@@ -91,7 +91,8 @@ pub fn compiled_from(job: &Job, tree: &Tree) -> Result<Made, Error> {
     let compiled = compile::compile(package, &sources, &job.options)
         .map_err(|diagnostics| refused(job, diagnostics, &sources))?;
     let found = remarks::of(package, &compiled.module);
-    let remarks = warnings.iter().cloned().chain(found).collect();
+    let alike = remarks::alike(&compiled.explicit, &job.options);
+    let remarks = warnings.iter().cloned().chain(found).chain(alike).collect();
     Ok(Made { compiled, remarks: Told::new(remarks, &sources, job.colour) })
 }
 

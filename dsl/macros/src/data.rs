@@ -357,9 +357,17 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
         refusals.add(&it.ident, refuse::EMPTY_ENUM);
     }
     let payload = it.variants.iter().any(|variant| !variant.fields.is_empty());
+    let mut fallback = false;
     for variant in &it.variants {
         lower::check_attributes(&variant.attrs, refusals);
-        given::read(&variant.attrs, On::Variant, refusals);
+        if given::read(&variant.attrs, On::Variant, refusals).fallback {
+            if std::mem::replace(&mut fallback, true) {
+                refusals.add(&variant.ident, refuse::FALLBACK_TWICE);
+            }
+            if !variant.fields.is_empty() {
+                refusals.add(&variant.ident, refuse::FALLBACK_PAYLOAD);
+            }
+        }
         check_fields(&variant.fields, borrows, refusals);
         if let (Some((_, value)), true) = (&variant.discriminant, payload) {
             refusals.add(value, refuse::DISCRIMINANT);

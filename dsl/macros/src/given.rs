@@ -1,5 +1,5 @@
 //! Author's C names, units and sections for types, variants, fields, parameters and tables: `#[c(name = "…", section
-//! = "…")]`, `#[unit("…")]`, `#[range(0.0..=5.0)]`.
+//! = "…")]`, `#[c(fallback)]`, `#[unit("…")]`, `#[range(0.0..=5.0)]`.
 //!
 //! They are removed from the native item, and reach the tree as [`Given`]. Conflicts of names are found only when the
 //! C is written.
@@ -16,7 +16,7 @@ use crate::sizes;
 pub enum On {
     /// A struct or an enum: a name is allowed.
     Type,
-    /// A variant of an enum: a name is allowed.
+    /// A variant of an enum: a name is allowed, and `fallback`.
     Variant,
     /// A field or a parameter: a name, a unit and a range are allowed.
     Value,
@@ -62,6 +62,13 @@ pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> G
             continue;
         }
         let parsed = attribute.parse_nested_meta(|meta| {
+            if meta.path.is_ident("fallback") {
+                given.fallback = true;
+                if on != On::Variant {
+                    refusals.add(&meta.path, refuse::FALLBACK_PLACE);
+                }
+                return Ok(());
+            }
             let text: syn::LitStr = meta.value()?.parse()?;
             if meta.path.is_ident("name") {
                 check_name(&text, refusals);
@@ -145,29 +152,30 @@ pub fn parameters(
 }
 
 /// Returns the attributes as an expression for the builder.
-pub fn tokens(given: &Given) -> TokenStream {
+pub fn tokens(item: &Given) -> TokenStream {
     let none = quote! { ::core::option::Option::None };
-    if *given == Given::default() {
+    if *item == Given::default() {
         return none;
     }
     let text = |text: &Option<String>| match text {
         Some(text) => quote! { ::core::option::Option::Some(#text) },
         None => none.clone(),
     };
-    let (name, unit, section) = (text(&given.name), text(&given.unit), text(&given.section));
-    let expression = text(&given.expression);
-    let range = match given.range {
+    let (name, unit, section) = (text(&item.name), text(&item.unit), text(&item.section));
+    let expression = text(&item.expression);
+    let range = match item.range {
         Some(range) => {
             let (low, high) = (range.low(), range.high());
             quote! { ::core::option::Option::Some((#low, #high)) }
         }
         None => none,
     };
-    let (lower::Site(line, column), radix, sizes) = (given.site, given.hexadecimal, &given.sizes);
+    let (lower::Site(line, column), radix, sizes) = (item.site, item.hexadecimal, &item.sizes);
+    let fallback = item.fallback;
     quote! {
         ::core::option::Option::Some(::bessemer::generate::Said {
             name: #name, unit: #unit, range: #range, section: #section, hexadecimal: #radix, expression: #expression,
-            sizes: &[#(#sizes),*], site: (#line, #column),
+            sizes: &[#(#sizes),*], fallback: #fallback, site: (#line, #column),
         })
     }
 }

@@ -102,20 +102,31 @@ pub struct Said {
     pub expression: Option<&'static str>,
     /// Constants that name its lengths.
     pub sizes: &'static [&'static str],
+    /// True for the variant as which a value counts in the C that is no variant.
+    pub fallback: bool,
     /// Site of the name, or else of the range.
     pub site: (u32, u32),
 }
 
 pub(super) fn said(said: Option<Said>) -> Given {
-    let Some(Said { name, unit, range, section, hexadecimal, expression, sizes, site }) = said
-    else {
-        return Given::default();
-    };
+    let Some(said) = said else { return Given::default() };
+    let Said { name, unit, range, section, hexadecimal, expression, sizes, fallback, site } = said;
     let text = |text: Option<&'static str>| text.map(ToOwned::to_owned);
     let (name, unit, section, sizes) = (text(name), text(unit), text(section), owned(sizes));
     let expression = text(expression);
     let (range, site) = (range.and_then(|(low, high)| Range::new(low, high)), Site(site.0, site.1));
-    Given { name, unit, range, section, public: false, hexadecimal, expression, sizes, site }
+    Given {
+        name,
+        unit,
+        range,
+        section,
+        public: false,
+        hexadecimal,
+        expression,
+        sizes,
+        fallback,
+        site,
+    }
 }
 
 /// Query for the default of a type. If it has one, the inherent method [`Defaults::words`] is called, which Rust

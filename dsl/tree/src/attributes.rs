@@ -32,6 +32,9 @@ pub struct Given {
     /// outside in, rows before columns; a length that is a number has none. In the tree they are names, in the IR
     /// paths.
     pub sizes: Vec<String>,
+    /// True for the variant as which a value counts in the C that is no variant.
+    #[serde(default, skip_serializing_if = "core::ops::Not::not")]
+    pub fallback: bool,
     /// Site of the name in the item's file; without a name, site of the range.
     pub site: Site,
 }

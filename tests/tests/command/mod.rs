@@ -259,8 +259,11 @@ fn refusals(package: &Path) {
     .expect("the settings");
     generated(package, false).expect("it is sound");
     let prefixed = fs::read_to_string(package.join("generated/acme_motor.h")).expect("the C");
-    for wanted in ["#ifndef ACME_MOTOR_H", "acme_motor_step(acme_motor_t *self", "LicenseRef-Acme"]
-    {
+    for wanted in [
+        "#ifndef ACME_MOTOR_H",
+        "acme_motor_step(acme_motor_t *ACME_RESTRICT self",
+        "LicenseRef-Acme",
+    ] {
         assert!(prefixed.contains(wanted), "{prefixed}");
     }
     assert!(!package.join("generated/motor.h").exists());

@@ -106,7 +106,7 @@ fn initialised_variables_change_no_bits() {
     run_c(corpus(), &some, &Toolchain { level: 2, ..gcc }, &["-ftrivial-auto-var-init=pattern"]);
 }
 
-/// Calls of `phasor_mul`, and true if a compiler reports them: only the written argument must lie apart.
+/// Calls of `phasor_mul`, and true if a compiler reports them: only the written argument must be disjoint.
 const CALLS: [(&str, bool); 3] =
     [("&x, &y, &x", true), ("&x, &x, &z", false), ("&x, &y, &z", false)];
 

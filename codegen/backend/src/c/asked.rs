@@ -39,7 +39,10 @@ impl Macro {
             Macro::NeverInline => ("", "noinline"),
             Macro::Section => ("(name)", "section(name)"),
             Macro::Copy => return copy(&name, docs),
-            Macro::Unroll => return unroll(&name, docs),
+            Macro::Unroll if options.pragmas => return unroll(&name, docs),
+            Macro::Unroll => {
+                return format!("/* {docs} Nothing without pragmas. */\n#define {name}(count)");
+            }
         };
         format!(
             "/* {docs} Nothing where the compiler is not known. */\n#ifndef {name}\n#if defined(__GNUC__)\n\

@@ -90,7 +90,7 @@ pub fn function(
     lines
 }
 
-/// Adds the enums that an entry point without a status cannot check, each with the enumerator that an invalid value counts as.
+/// Adds the enums that an entry point without a status cannot check, with the meaning of an invalid value.
 fn unchecked(
     module: &Module,
     names: &Names,
@@ -101,7 +101,7 @@ fn unchecked(
     if signature.returned == Returned::Status {
         return;
     }
-    let shown = |it: Outside| {
+    let shown = |it: &Outside| {
         let own = &names.enums[it.id.index()].variants;
         let parameter = signature.params.get(it.parameter)?;
         let field = |&(of, at): &(StructId, usize)| {
@@ -109,15 +109,29 @@ fn unchecked(
             format!(".{}", name.trim_start_matches(OVERLAY))
         };
         let path: String = it.path.iter().map(field).collect();
-        let last = own.last().filter(|_| own.len() > 1)?;
-        Some(format!("`{}{path}` as `{last}`", parameter.name))
+        let counts = own.get(module.enums[it.id.index()].fallback()).filter(|_| own.len() > 1)?;
+        Some(format!("`{}{path}` as `{counts}`", parameter.name))
     };
-    let shown: Vec<String> =
-        outside::enums(module, function).into_iter().filter_map(shown).collect();
-    if !shown.is_empty() {
-        add(lines, "No enum is checked, since no status is returned.".to_owned());
-        add(lines, "A value that is no enumerator takes the last case of each switch.".to_owned());
-        add(lines, format!("Elsewhere it counts as the last enumerator: {}.", shown.join(", ")));
+    let (chosen, left): (Vec<_>, Vec<_>) = outside::enums(module, function)
+        .into_iter()
+        .partition(|it| module.enums[it.id.index()].has_fallback());
+    let chosen: Vec<String> = chosen.iter().filter_map(shown).collect();
+    let left: Vec<String> = left.iter().filter_map(shown).collect();
+    if chosen.is_empty() && left.is_empty() {
+        return;
+    }
+    add(lines, "No enum is checked, since no status is returned.".to_owned());
+    if !chosen.is_empty() {
+        let which = chosen.join(", ");
+        add(lines, format!("In each switch, a value that is no enumerator counts so: {which}."));
+    }
+    if !left.is_empty() {
+        let taken = match &names.status.hook {
+            Some(hook) => format!("In each switch, a value that is no enumerator calls `{hook}`."),
+            None => "A value that is no enumerator takes the last case of each switch.".to_owned(),
+        };
+        add(lines, taken);
+        add(lines, format!("Elsewhere it counts as the last enumerator: {}.", left.join(", ")));
     }
 }
 

@@ -26,7 +26,7 @@ use super::options::Options;
 use super::signature::Returned;
 use super::tree::{Declarator, Head, Item, Member, Origin, Stmt, StmtKind, Storage, plain};
 use super::{
-    asked, described, helpers_header, init, lower, self_test, sizes, status_header, target,
+    ascii, asked, described, helpers_header, init, lower, self_test, sizes, status_header, target,
 };
 use crate::kernels;
 use draft::Draft;
@@ -59,9 +59,6 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     let (mut list, mut drafts) = (Vec::new(), Vec::new());
     let (mut helpers, mut consts) = (BTreeSet::new(), BTreeSet::new());
     let mut called = BTreeSet::new();
-    if context.faults.any() {
-        list.push(status_header::header(context, options));
-    }
     for (name, unit) in units(context) {
         let writer = Writer { context, options, name, unit };
         drafts.push(writer.header());
@@ -75,6 +72,10 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     }
     let (inline, mut uses) = inline::shared(context, options, &called);
     drafts.extend(inline);
+    let reports = |draft: &Draft| draft.includes.own.contains(&context.names.status.header);
+    if context.faults.any() || drafts.iter().any(reports) {
+        list.push(status_header::header(context, options));
+    }
     list.extend(promises::write(context, options, &mut drafts));
     list.extend(drafts.into_iter().map(|draft| draft.print(context, options)));
     helpers.append(&mut uses.helpers);
@@ -87,6 +88,9 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     }
     list.extend(self_test::files(context, options));
     list.sort_by(|a, b| a.name.cmp(&b.name));
+    if options.ascii {
+        list.iter_mut().for_each(|file| file.text = ascii::written(&file.text));
+    }
     list
 }
 

@@ -62,6 +62,30 @@ pub fn taken(module: &Module, names: &Names) -> Vec<(Span, Taken)> {
     list
 }
 
+/// Number of characters that are significant in external names for every linker (C99, 5.2.4.1; MISRA C:2012, rule 5.1).
+const SIGNIFICANT: usize = 31;
+
+/// Returns the functions whose external names begin as an earlier one's, as far as every linker looks: the place, the
+/// name and the earlier name.
+pub fn alike(module: &Module, names: &Names) -> Vec<(Span, String, String)> {
+    let mut earlier: BTreeMap<&str, &str> = BTreeMap::new();
+    let mut alike = Vec::new();
+    for (function, signature) in module.functions.iter().zip(&names.functions) {
+        let name = signature.name.as_str();
+        let Some(begin) = name.get(..SIGNIFICANT) else { continue };
+        if signature.storage != Storage::Extern {
+            continue;
+        }
+        match earlier.get(begin) {
+            Some(first) => alike.push((function.span, name.to_owned(), (*first).to_owned())),
+            None => {
+                earlier.insert(begin, name);
+            }
+        }
+    }
+    alike
+}
+
 /// Returns the number of items that request each global name.
 fn wanted(names: &Names) -> BTreeMap<String, u32> {
     let types = names.structs.iter().flat_map(|it| [Some(&it.ty), it.init.as_ref()]).flatten();

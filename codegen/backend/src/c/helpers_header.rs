@@ -43,6 +43,7 @@ pub fn header(
         summary: "operations of Rust that C has no operator for; for the sources beside it alone.",
         source: &context.module.name,
         license: &options.license,
+        pragmas: options.pragmas,
         system_includes: system,
         own_includes: vec![target::name(options)],
         calls: false,

@@ -8,13 +8,16 @@
 //! every loop is bounded. This module knows nothing of the front end, and does not change the IR.
 
 mod analysis;
-mod apart;
+
+mod ascii;
 mod asked;
 mod assemble;
 mod choices;
 mod const_names;
 mod context;
+mod corrupted;
 mod described;
+mod disjoint;
 mod file;
 mod files;
 pub mod given;
@@ -112,6 +115,11 @@ impl<'m> Plan<'m> {
     /// Returns the names that conflict, each with its place.
     pub fn taken(&self) -> Vec<(Span, Taken)> {
         given::taken(self.module, &self.names)
+    }
+
+    /// Returns the functions whose external names are equal for some linkers, each with the earlier name.
+    pub fn alike(&self) -> Vec<(Span, String, String)> {
+        given::alike(self.module, &self.names)
     }
 
     /// Returns the files, in the order of their names.

@@ -107,6 +107,10 @@ pub struct Options {
     pub layout: Layout,
     /// True to emit `bessemer_self_test`, which checks the arithmetic on the target.
     pub self_test: bool,
+    /// True if files have pragmas, which keep compilers from changing floating-point operations.
+    pub pragmas: bool,
+    /// True if files have no character beyond ASCII.
+    pub ascii: bool,
     /// True if proved checks stay in the C and end the program when one fails. This tests the compiler and is not for a
     /// target.
     pub keep_checks: bool,
@@ -137,6 +141,8 @@ impl Default for Options {
             math: Math::Portable,
             layout: Layout::Columns,
             self_test: false,
+            pragmas: true,
+            ascii: false,
             keep_checks: false,
         }
     }

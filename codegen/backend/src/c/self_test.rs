@@ -32,6 +32,7 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
             summary: "whether the target computes as the C needs it.",
             source: &context.module.name,
             license: &options.license,
+            pragmas: options.pragmas,
             system_includes: system.iter().map(|&it| it.to_owned()).collect(),
             own_includes: Vec::new(),
             calls: false,

@@ -28,6 +28,8 @@ pub struct Shell<'a> {
     pub source: &'a str,
     /// SPDX licence expression.
     pub license: &'a str,
+    /// True if it may have pragmas.
+    pub pragmas: bool,
     /// Included system headers, `<…>`, sorted.
     pub system_includes: Vec<String>,
     /// Included headers of the package, `"…"`, sorted.
@@ -66,6 +68,7 @@ fn rendered(shell: &Shell<'_>, is_header: bool, links: bool, template: &'static 
     context.insert("about", &about(shell.about));
     context.insert("source", shell.source);
     context.insert("license", shell.license);
+    context.insert("pragmas", &shell.pragmas);
     context.insert("guard", &guard(shell.file));
     context.insert("system_includes", &shell.system_includes);
     context.insert("own_includes", &shell.own_includes);

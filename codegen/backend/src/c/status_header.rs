@@ -64,6 +64,7 @@ pub fn header(context: Context<'_>, options: &Options) -> CFile {
         summary: "what a call came to.",
         source: &context.module.name,
         license: &options.license,
+        pragmas: options.pragmas,
         system_includes: Vec::new(),
         own_includes: Vec::new(),
         calls: false,

@@ -53,6 +53,7 @@ pub fn header(context: Context<'_>, options: &Options) -> CFile {
         summary: "what the C needs of compiler and processor.",
         source: &context.module.name,
         license: &options.license,
+        pragmas: options.pragmas,
         system_includes: Vec::new(),
         own_includes: Vec::new(),
         calls: false,

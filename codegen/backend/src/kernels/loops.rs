@@ -3,7 +3,7 @@
 //!
 //! Invariant: without `BESSEMER_LOOPS` nothing of this is compiled.
 
-use bessemer_ir::{Kernel, Mode, Scalar, Type};
+use bessemer_ir::{Float, Kernel, Mode, Scalar, Type};
 
 use super::text::{fill, indented};
 use super::{Buffer, Source, are_lent, declarations, plain, scalar};
@@ -16,6 +16,15 @@ static $result by_loops($params)
 {
 $loops}
 $ways#endif";
+
+/// Selection of the loops where the processor has no instructions for `double`.
+const SOFTWARE: &str = "\
+/* Where double is computed in software, its functions take the time, and loops are as fast in a tenth of the code. */
+#if !defined(BESSEMER_LOOPS) && defined(__arm__) && (!defined(__ARM_FP) || (__ARM_FP & 8) == 0)
+#define BESSEMER_LOOPS
+#endif
+
+";
 
 /// Returns a kernel's variants, preceded by its plain loops unless these are the only variant.
 pub(super) fn before(kernel: &Kernel, ways: Source, buffers: &[Buffer]) -> Source {
@@ -65,7 +74,8 @@ pub(super) fn before(kernel: &Kernel, ways: Source, buffers: &[Buffer]) -> Sourc
     let (math, string, dot) =
         (ways.math || loops.math, ways.string || loops.string, ways.dot || loops.dot);
     let body = format!("#if defined(BESSEMER_LOOPS)\n{call}{others}");
-    Source { before: fill(HEAD, &values), body, math, string, dot }
+    let software = if kernel.element == Float::F64 { SOFTWARE } else { "" };
+    Source { before: format!("{software}{}", fill(HEAD, &values)), body, math, string, dot }
 }
 
 /// Returns the parts of the passed memory that the loops use: type, name and place. None if the memory does not fit.

@@ -111,9 +111,9 @@ impl Checker<'_> {
         self.place(place);
         let through_pointer = match &value.kind {
             ExprKind::Call(id, _) => {
-                self.callees.get(id.index()).is_some_and(|callee| callee.through_pointer)
+                self.callees.get(id.index()).and_then(|callee| callee.through_pointer)
             }
-            _ => false,
+            _ => None,
         };
         let moved = moves(place, &lent(value)) || moves_itself(place, value);
         if moved || disturbs(place, value, through_pointer) {

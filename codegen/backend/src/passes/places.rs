@@ -3,6 +3,7 @@
 use bessemer_ir::visit::{Access, VisitMut, Walk, walk_expr_mut, walk_place_mut};
 use bessemer_ir::{Argument, Expr, ExprKind, Place, Routine, Span, Type};
 
+use crate::late::Early;
 use bessemer_ir::effects::{moves, overlap, reads};
 
 /// Visitor that sets the spans of an expression.
@@ -72,13 +73,14 @@ pub(crate) fn outer(routine: Routine, operands: &[Expr]) -> bool {
 }
 
 /// Returns true if assigning `value` to `destination` part by part would overwrite what is still to be read.
-/// `through_pointer` is true if the call returns its result, even a word, through a pointer.
-pub(crate) fn disturbs(destination: &Place, value: &Expr, through_pointer: bool) -> bool {
+/// `through_pointer` is there if the call returns its result, even a word, through a pointer.
+pub(crate) fn disturbs(destination: &Place, value: &Expr, through_pointer: Option<Early>) -> bool {
     let written = std::slice::from_ref(destination);
     match &value.kind {
-        ExprKind::Call(_, arguments) => {
-            through_pointer && arguments.iter().any(|argument| lends(argument, destination))
-        }
+        ExprKind::Call(_, arguments) => through_pointer.is_some_and(|early| {
+            let mut arguments = arguments.iter().enumerate();
+            arguments.any(|(index, it)| !early.has(index) && lends(it, destination))
+        }),
         _ if value.ty.is_word() => false,
         ExprKind::Load(place) => moves(place, written),
         ExprKind::Routine(routine, operands) if elementwise(*routine) => {

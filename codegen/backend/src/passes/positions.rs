@@ -3,6 +3,7 @@
 use bessemer_ir::{Argument, Expr, ExprKind, Function, Mode, Role, Routine, UnaryOp};
 
 use super::places::{elementwise, outer};
+use crate::late::{self, Early};
 
 /// Position of an expression in a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,8 +33,8 @@ pub(crate) enum Position {
 pub(crate) struct Callee {
     /// True if it may fault.
     pub(crate) fallible: bool,
-    /// True if it returns its result through a pointer.
-    pub(crate) through_pointer: bool,
+    /// If it returns its result through a pointer: the parameters that it reads only before it writes there.
+    pub(crate) through_pointer: Option<Early>,
     /// True if a call may be inside an expression.
     pub(crate) nests: bool,
     /// True if it is external, or calls such a function: two calls may return different results, and each may have
@@ -52,7 +53,8 @@ impl Callee {
         });
         Callee {
             fallible,
-            through_pointer: status || function.result.is_aggregate(),
+            through_pointer: (status || function.result.is_aggregate())
+                .then(|| late::early(function, status)),
             nests: !status && reads && !outside && function.result.is_word(),
             outside,
         }
@@ -67,7 +69,7 @@ pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bo
         ExprKind::Call(callee, _) => {
             let callee = callees.get(callee.index());
             match position {
-                Decision => callee.is_some_and(|callee| !callee.through_pointer),
+                Decision => callee.is_some_and(|callee| callee.through_pointer.is_none()),
                 Nested | Part => callee.is_some_and(|callee| callee.nests),
                 _ => false,
             }

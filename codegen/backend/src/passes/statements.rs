@@ -18,6 +18,7 @@ use super::names::{self, Names, Purpose};
 use super::places::{disturbs, erased, moves_itself, weight};
 use super::positions::{Callee, Position};
 use super::remaining::{Doubted, Remaining};
+use crate::late::Early;
 use bessemer_ir::effects::{is_own, lent, moves, reads, whole, writes};
 
 /// A function in explicit IR.
@@ -190,13 +191,13 @@ impl Lowering<'_> {
         }
     }
 
-    /// Returns true if a value is a call that returns its result through a pointer.
-    fn through_pointer(&self, value: &Expr) -> bool {
+    /// Returns the parameters that are read early, if a value is a call that returns its result through a pointer.
+    fn through_pointer(&self, value: &Expr) -> Option<Early> {
         match &value.kind {
             ExprKind::Call(callee, _) => {
-                self.callees.get(callee.index()).is_some_and(|c| c.through_pointer)
+                self.callees.get(callee.index()).and_then(|callee| callee.through_pointer)
             }
-            _ => false,
+            _ => None,
         }
     }
 

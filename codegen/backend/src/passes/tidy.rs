@@ -16,6 +16,7 @@ use bessemer_ir::{
 
 use super::places::{disturbs, elementwise, outer};
 use super::positions::{self, Callee, Position};
+use crate::late::Early;
 use bessemer_ir::effects::{
     calls, is_own, lent, mentions, moves, reads, same_place, writes, writes_local,
 };
@@ -114,24 +115,25 @@ impl Tidy<'_> {
         else {
             return false;
         };
-        let StmtKind::Assign { place, value: given } = &next.kind else { return false };
+        let StmtKind::Assign { place, value: stored } = &next.kind else { return false };
         let through_pointer = match &value.kind {
             ExprKind::Call(callee, _) => {
-                self.callees.get(callee.index()).is_none_or(|callee| callee.through_pointer)
+                let unknown = Some(Early::default());
+                self.callees.get(callee.index()).map_or(unknown, |callee| callee.through_pointer)
             }
-            _ => false,
+            _ => None,
         };
         let direct = self.is_made(*local)
             && value.ty.is_word()
             && self.is_used_once(*local)
-            && is_load(given, *local)
+            && is_load(stored, *local)
             && !moves(place, &lent(value))
             && !disturbs(place, value, through_pointer);
         if direct {
             let value = value.clone();
             let first = stmts.remove(at);
-            if let StmtKind::Assign { value: given, .. } = &mut stmts[at].kind {
-                *given = value;
+            if let StmtKind::Assign { value: stored, .. } = &mut stmts[at].kind {
+                *stored = value;
             }
             hand_down(stmts, at, first.comments);
         }
@@ -234,7 +236,7 @@ impl Tidy<'_> {
             return false;
         }
         match &mut stmts[user].kind {
-            StmtKind::Assign { place, .. } if disturbs(place, &given, false) => return false,
+            StmtKind::Assign { place, .. } if disturbs(place, &given, None) => return false,
             StmtKind::Let { value: Some(to), .. }
             | StmtKind::Return(Some(to))
             | StmtKind::Assign { value: to, .. } => *to = given,

@@ -111,6 +111,136 @@ fn no_byte_reaches_beyond_what_is_passed() {
     assert!(said.windows(2).all(|pair| pair[0] == pair[1]));
 }
 
+/// An enum whose author chose the second variant. Its forms of `match` have all variants, `_` beside the chosen one, `_` in
+/// its place, and an arm that leaves a loop; it is an index, too.
+const CHOSEN: &str = "module chosen
+
+enum Gear in chosen { First, Second #(fallback @0:0), Third }
+
+struct Case in chosen {
+  hits: [i32; 3],
+} = [0 * 3]
+
+entry infallible fn Case::all in chosen(self: &mut Case, gear: Gear) -> i32 as value {
+  match gear {
+    Gear::First => {
+      return 1i32;
+    }
+    Gear::Second => {
+      return 2i32;
+    }
+    Gear::Third => {
+      return 3i32;
+    }
+  }
+}
+
+entry infallible fn Case::beside in chosen(self: &mut Case, gear: Gear) -> i32 as value {
+  match gear {
+    Gear::Second => {
+      return 2i32;
+    }
+    _ => {
+      return 1i32;
+    }
+  }
+}
+
+entry infallible fn Case::within in chosen(self: &mut Case, gear: Gear) -> i32 as value {
+  match gear {
+    Gear::Third => {
+      return 3i32;
+    }
+    _ => {
+      return 1i32;
+    }
+  }
+}
+
+entry infallible fn Case::left in chosen(self: &mut Case, gear: Gear) -> i32 as value {
+  let passes: i32 = 0i32;
+  for n: usize in 0..3 {
+    match gear {
+      Gear::First => {
+        passes = 1i32;
+      }
+      Gear::Second => {
+        break;
+      }
+      Gear::Third => {
+        passes = 3i32;
+      }
+    }
+  }
+  return passes;
+}
+
+entry infallible fn Case::index in chosen(self: &mut Case, gear: Gear) -> i32 as value {
+  self.hits[gear as usize] = 7i32;
+  return load(self.hits[1]);
+}
+";
+
+const CHOSEN_MAIN: &str = r#"
+#include <stdio.h>
+#include <string.h>
+#include "case.h"
+
+typedef int32_t (*entry_t)(case_t *self, gear_t gear);
+
+int main(void)
+{
+    const entry_t entries[] = {case_all, case_beside, case_within, case_left, case_index};
+    for (unsigned at = 0; at < sizeof entries / sizeof *entries; at++) {
+        for (int byte = -300; byte < 300; byte++) {
+            case_t one;
+            case_t other;
+            case_init(&one);
+            case_init(&other);
+            gear_t gear;
+            memcpy(&gear, &byte, sizeof gear);
+            const gear_t counts = (byte < 0 || byte > 2) ? GEAR_SECOND : gear;
+            if (entries[at](&one, gear) != entries[at](&other, counts)) {
+                printf("entry %u takes %d otherwise\n", at, byte);
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+"#;
+
+#[test]
+fn an_invalid_value_counts_as_the_variant_that_the_author_chose() {
+    let module = bessemer_ir::text::parse(CHOSEN).expect("it parses");
+    assert_eq!(validate(&module), Ok(()));
+    let (explicit, _) = explicit(module).expect("the claims hold");
+    let mut files = emit(&explicit, &Options::default());
+    super::compilers::check("chosen", &files);
+    files.push(CFile { name: "main.c".to_owned(), text: CHOSEN_MAIN.to_owned(), map: Vec::new() });
+    let folder = folder("chosen", &files);
+    for compiler in ["gcc", "clang"].into_iter().filter(|compiler| is_there(compiler)) {
+        for level in ["-O0", "-O2"] {
+            assert_eq!(ran(compiler, level, &folder), "");
+        }
+    }
+}
+
+/// With a hook, a `switch` without a chosen variant has a case that calls it; what happens for a variant stays.
+#[test]
+fn an_invalid_value_calls_the_hook() {
+    let module = CHOSEN.replace(" #(fallback @0:0)", "");
+    let module = bessemer_ir::text::parse(&module).expect("it parses");
+    let (explicit, _) = explicit(module).expect("the claims hold");
+    let options = Options { hook: Some("motors_off".to_owned()), ..Options::default() };
+    let files = emit(&explicit, &options);
+    super::compilers::check("hooked", &files);
+    let source = files.iter().find(|file| file.name == "case.c").expect("a source");
+    let case =
+        "default:\n        motors_off(BESSEMER_STATUS_VARIANT);\n        for (;;) {\n        }";
+    assert!(source.text.contains(case), "{}", source.text);
+}
+
 fn ran(compiler: &str, level: &str, folder: &Path) -> String {
     let sources: Vec<_> = std::fs::read_dir(folder)
         .expect("just written")

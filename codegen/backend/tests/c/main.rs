@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use bessemer_backend::c::{CFile, Options, Plan, emit};
-use bessemer_backend::kernels::Tuning;
+use bessemer_backend::kernels::{Mode, Tuning};
 use bessemer_backend::passes;
 use bessemer_backend::validate::validate;
 use bessemer_ir::Module;
@@ -183,6 +183,54 @@ fn options_name_things() {
     ] {
         assert!(header.text.contains(wanted), "{wanted} in\n{}", header.text);
     }
+}
+
+/// The C for a compiler that knows no pragma, in ASCII: nothing is left of either, and its guard is there.
+#[test]
+fn without_pragmas_and_in_ascii() {
+    let plain = Tuning { mode: Mode::Plain, ..Tuning::default() };
+    let options = Options {
+        pragmas: false,
+        ascii: true,
+        self_test: true,
+        kernels: plain,
+        ..Options::default()
+    };
+    for name in ["kernels.ir", "loops.ir", "height.ir"] {
+        let files = emit(&example(name), &options);
+        for file in &files {
+            let pragma =
+                file.text.lines().find(|it| it.contains("#pragma") || it.contains("_Pragma"));
+            assert_eq!(pragma, None, "{}", file.name);
+            assert!(file.text.is_ascii(), "{}:\n{}", file.name, file.text);
+        }
+        assert!(files.iter().any(|file| file.name == "bessemer_self_test.c"), "{name}");
+        compilers::check(&format!("without-pragmas-{name}"), &files);
+    }
+}
+
+/// Names that some linkers take for one: those that are equal in their first 31 characters, and external.
+#[test]
+fn external_names_alike_are_found() {
+    let of = |name: &str| format!("fn {name} in m() -> f64 as x {{\n  return 1.0;\n}}\n");
+    // With `m_` before it, the name has 31 characters.
+    let begin = "temperature_of_the_coolant_at";
+    let text = format!(
+        "module m\n{}{}{}{}",
+        of(begin),
+        of(&format!("{begin}_inlet")),
+        of(&format!("{begin}_outlet")),
+        of("temperature_of_the_coolant_after"),
+    );
+    let module = bessemer_ir::text::parse(&text).expect("it parses");
+    let (options, (explicit, _)) =
+        (Options::default(), passes::explicit(module).expect("explicit"));
+    let alike = Plan::new(&explicit, &options).alike();
+    let names: Vec<_> =
+        alike.iter().map(|(_, name, first)| (name.as_str(), first.as_str())).collect();
+    let (first, inlet, outlet) =
+        (format!("m_{begin}"), format!("m_{begin}_inlet"), format!("m_{begin}_outlet"));
+    assert_eq!(names, [(inlet.as_str(), first.as_str()), (outlet.as_str(), first.as_str())]);
 }
 
 #[test]

@@ -520,6 +520,10 @@ impl Parser {
                     given.hexadecimal = true;
                     continue;
                 }
+                "fallback" => {
+                    given.fallback = true;
+                    continue;
+                }
                 "size" => {
                     given.sizes.push(self.name()?);
                     continue;

@@ -507,25 +507,26 @@ fn shown_attributes(attributes: &Attributes) -> String {
 }
 
 /// Returns an item's attributes as text, such as ` (name "x", unit "m/s")`, or nothing.
-fn shown_given(given: &Given) -> String {
-    if *given == Given::default() {
+fn shown_given(item: &Given) -> String {
+    if *item == Given::default() {
         return String::new();
     }
     let said = [
-        ("name", &given.name),
-        ("measured", &given.unit),
-        ("section", &given.section),
-        ("expression", &given.expression),
+        ("name", &item.name),
+        ("measured", &item.unit),
+        ("section", &item.section),
+        ("expression", &item.expression),
     ];
     let said =
         said.iter().filter_map(|(word, text)| Some(format!("{word} {:?} ", (*text).as_ref()?)));
     let said: String = said.collect();
-    let range = given.range.map(|it| format!("range \"{:?}\" \"{:?}\" ", it.low(), it.high()));
+    let range = item.range.map(|it| format!("range \"{:?}\" \"{:?}\" ", it.low(), it.high()));
     let range = range.unwrap_or_default();
-    let public = if given.public { "public " } else { "" };
-    let radix = if given.hexadecimal { "hexadecimal " } else { "" };
-    let sizes: String = given.sizes.iter().map(|size| format!("size {size:?} ")).collect();
-    format!(" #({said}{range}{public}{radix}{sizes}@{}:{})", given.site.0, given.site.1)
+    let public = if item.public { "public " } else { "" };
+    let radix = if item.hexadecimal { "hexadecimal " } else { "" };
+    let fallback = if item.fallback { "fallback " } else { "" };
+    let sizes: String = item.sizes.iter().map(|size| format!("size {size:?} ")).collect();
+    format!(" #({said}{range}{public}{radix}{fallback}{sizes}@{}:{})", item.site.0, item.site.1)
 }
 
 /// Returns a word of a constant, in a readable form if that reads back to the same bits.

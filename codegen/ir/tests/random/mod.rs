@@ -182,6 +182,7 @@ impl Source<'_> {
             hexadecimal: self.chance(2),
             expression: self.chance(2).then(|| self.text()),
             sizes: self.some(2, Source::text),
+            fallback: self.chance(2),
             site: Site(self.below(99), self.below(99)),
         }
     }

@@ -202,8 +202,11 @@ reasons! {
     UNIT_PLACE: "`#[unit]` belongs on a number", "move it to a field, a parameter, a constant, or the function that returns the number";
     C_ALONE: "`#[c(…)]` must be below an attribute of the DSL", "write it below `#[function]`, `#[data]` or `#[component]`, or on a method of a marked `impl` block";
     SECTION_PLACE: "only a function or a constant can have a section", "remove the section";
+    FALLBACK_PLACE: "`fallback` belongs on a variant of an enum", "write `#[c(fallback)]` above the variant as which an invalid value counts in the C";
+    FALLBACK_TWICE: "an enum has at most one variant as which an invalid value counts", "remove one `#[c(fallback)]`";
+    FALLBACK_PAYLOAD: "a variant with fields cannot stand for an invalid value, whose fields would mean nothing", "write `#[c(fallback)]` above a variant without fields";
     TABLE_UNNAMED: "a constant without a name is not emitted", "remove the attribute";
-    C_ARGUMENT: "`#[c(…)]` accepts `name`, `section`, and for functions `result`", "write `#[c(name = \"pid_step\", section = \".fast\")]`";
+    C_ARGUMENT: "`#[c(…)]` accepts `name`, `section`, for functions `result`, and for variants `fallback`", "write `#[c(name = \"pid_step\", section = \".fast\")]`";
     C_NAME: "this is not a valid C identifier", "begin with a letter, and continue with letters, digits and `_`";
     C_SECTION: "this is not a valid section name", "write letters, digits, `.` and `_`: `.fast`";
     INLINE_SECTION: "an inlined function cannot have a section", "remove `#[inline]` or the section";

@@ -9,6 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_calls.h"
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
 
@@ -26,7 +27,8 @@ void motor_init(motor_t *self)
     self->integral = 0.0;
 }
 
-double motor_step(motor_t *self, const gains_t *gains, double target, double speed)
+double motor_step(motor_t *BESSEMER_RESTRICT self, const gains_t *gains, double target,
+    double speed)
 {
     const double error = target - speed;
     const double wanted = gains->proportional * error + gains->integral * self->integral;

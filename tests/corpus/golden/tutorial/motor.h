@@ -6,11 +6,13 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
- * enumerators.
+ * elements as are declared. Storage that a call writes through one argument is no other argument's:
+ * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef MOTOR_H
 #define MOTOR_H
+
+#include "bessemer_calls.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -39,7 +41,8 @@ void gains_defaults(gains_t *self);
 void motor_init(motor_t *self);
 
 /** One control period: the voltage to apply, V. */
-double motor_step(motor_t *self, const gains_t *gains, double target, double speed);
+double motor_step(motor_t *BESSEMER_RESTRICT self, const gains_t *gains, double target,
+    double speed);
 
 #ifdef __cplusplus
 }

@@ -86,6 +86,7 @@ pub(super) fn shared(
             summary,
             source: &context.module.name,
             license: &options.license,
+            pragmas: options.pragmas,
             system_includes: includes.system(),
             own_includes: includes.own(&header),
             calls: false,

@@ -40,6 +40,7 @@ impl Draft {
             summary: &self.summary,
             source: &self.source,
             license: &options.license,
+            pragmas: options.pragmas,
             system_includes: self.includes.system(),
             own_includes: self.includes.own(&self.header),
             calls: self.public && self.items.iter().any(declares),

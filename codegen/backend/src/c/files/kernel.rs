@@ -33,7 +33,9 @@ impl Writer<'_> {
         for item in &mut items {
             if let Item::Function { docs, head, body, .. } = item {
                 head.storage = Storage::Inline;
-                body.insert(0, plain(StmtKind::Verbatim(NO_CONTRACTION.to_owned())));
+                if self.options.pragmas {
+                    body.insert(0, plain(StmtKind::Verbatim(NO_CONTRACTION.to_owned())));
+                }
                 docs.clone_from(&self.context.module.functions[id.index()].docs);
             }
         }

@@ -2,15 +2,15 @@
 //! the status.
 //!
 //! A pointer to what a function writes is `restrict` if the function has another pointer, so compilers report a call
-//! that breaks the promise. Kernels do without: there it costs registers. So do functions for which a call within the
-//! C is not proved to keep it ([`apart`]). Must not know: how functions are lowered.
+//! that breaks the promise. Kernels do without: there it costs registers. So do pointers for which a call within the
+//! C is not proved to keep it ([`disjoint`]). Must not know: how functions are lowered.
 
 use std::collections::BTreeSet;
 
 use super::draft::Draft;
-use crate::c::apart;
 use crate::c::assemble::assemble;
 use crate::c::context::Context;
+use crate::c::disjoint::{self, Pair};
 use crate::c::file::CFile;
 use crate::c::options::Options;
 use crate::c::shell::Shell;
@@ -25,10 +25,10 @@ pub(super) fn write(
     drafts: &mut [Draft],
 ) -> Option<CFile> {
     let functions = drafts.iter().flat_map(|draft| &draft.items);
-    let mut left_out = apart::unproved(functions, &in_unions(context));
-    let kernels = context.module.functions.iter().zip(&context.names.functions);
-    left_out
-        .extend(kernels.filter(|(it, _)| it.kernel.is_some()).map(|(_, names)| names.name.clone()));
+    let unproved = disjoint::unproved(functions, &in_unions(context));
+    let functions = context.module.functions.iter().zip(&context.names.functions);
+    let kernels: BTreeSet<&str> =
+        functions.filter(|(it, _)| it.kernel.is_some()).map(|(_, it)| it.name.as_str()).collect();
     let macros = Macros::new(options);
     let header = options.header(&format!("{}_calls", identifier(&options.status)));
     let mut used = false;
@@ -41,7 +41,8 @@ pub(super) fn write(
                 _ => continue,
             };
             if matches!(head.storage, Storage::Extern | Storage::Static) {
-                own |= !left_out.contains(&head.name) && restrict(head, &macros.restrict);
+                own |= !kernels.contains(head.name.as_str())
+                    && restrict(head, &macros.restrict, &unproved);
                 if declared
                     && head.storage == Storage::Extern
                     && head.result == context.names.status.ty
@@ -71,8 +72,14 @@ fn in_unions(context: Context<'_>) -> BTreeSet<String> {
 }
 
 /// Marks the pointers to what a function writes, and returns true if there is one.
-fn restrict(head: &mut Head, word: &str) -> bool {
-    let written = apart::written(head);
+fn restrict(head: &mut Head, word: &str, unproved: &BTreeSet<Pair>) -> bool {
+    let shares = |index: usize| {
+        unproved
+            .iter()
+            .any(|(name, one, other)| *name == head.name && (*one == index || *other == index))
+    };
+    let written: Vec<usize> =
+        disjoint::written(head).into_iter().filter(|index| !shares(*index)).collect();
     for index in &written {
         let param = &mut head.params[*index];
         match param.dimensions.strip_prefix('[') {
@@ -116,6 +123,7 @@ impl Macros {
             summary: "what callers of the functions promise.",
             source: &context.module.name,
             license: &options.license,
+            pragmas: options.pragmas,
             system_includes: Vec::new(),
             own_includes: Vec::new(),
             calls: false,

@@ -6,6 +6,7 @@ use super::super::signature::{Passing, Returned};
 use super::super::tree::{Expr, StmtKind, Storage};
 use super::Lower;
 use super::copy::indexed_by;
+use crate::late::early;
 use bessemer_ir::effects::{overlap, reads_place};
 
 impl Lower<'_> {
@@ -67,7 +68,10 @@ impl Lower<'_> {
             .collect();
         let moved = indexed_by(dest, &written);
         let plain = matches!(self.context.names.signature(callee).returned, Returned::Value(_));
-        let shared = !plain && arguments.iter().any(|argument| lends(argument, dest));
+        let of = &self.context.module.functions[callee.index()];
+        let early = early(of, self.context.faults.fallible(callee));
+        let mut passed = arguments.iter().enumerate();
+        let shared = !plain && passed.any(|(index, it)| !early.has(index) && lends(it, dest));
         if !moved && !shared {
             let place = self.place(dest);
             if plain {

@@ -286,6 +286,7 @@ impl<'a> Lower<'a> {
         unused::quiet(&mut self.out, &names);
         let enums = self.context.names.enums.iter().map(|names| names.variants.as_slice());
         Enumerators::new(enums).rewrite(&mut self.out);
+        self.place_corrupted();
     }
 
     fn is_fallible(&self) -> bool {

@@ -339,8 +339,10 @@ impl Lower<'_> {
     }
 
     fn match_(&mut self, scrutinee: &Ir, arms: &[Arm], otherwise: Option<&Block>, tail: bool) {
+        let chosen = self.chosen(&scrutinee.ty);
         if let ([Arm { values, body }], Some(otherwise)) = (arms, otherwise)
             && let [value] = values[..]
+            && chosen != Some(value)
         {
             self.match_as_if(scrutinee, value, [body, otherwise], tail);
             return;
@@ -408,26 +410,42 @@ impl Lower<'_> {
             self.declare(&scrutinee.ty, &name, Some(Init::Value(value)), true);
             value = Expr::name(name);
         }
-        let mut chain: Vec<Stmt> =
-            otherwise.map(|block| self.block(block, tail)).unwrap_or_default();
-        for (index, arm) in arms.iter().enumerate().rev() {
-            let body = self.block(&arm.body, tail);
-            if otherwise.is_none() && index + 1 == arms.len() {
-                chain = body;
-                continue;
-            }
-            let tests = arm
-                .values
+        let mut cases: Vec<(Vec<i128>, &Block)> =
+            arms.iter().map(|arm| (arm.values.clone(), &arm.body)).collect();
+        cases.extend(otherwise.map(|block| (self.left(&scrutinee.ty, arms), block)));
+        // The last takes invalid values.
+        let chosen = self.chosen(&scrutinee.ty);
+        let is_chosen =
+            |(values, _): &(Vec<i128>, &Block)| chosen.is_some_and(|it| values.contains(&it));
+        if let Some(at) = cases.iter().position(is_chosen) {
+            cases[at..].rotate_left(1);
+        }
+        let mut chain: Vec<Stmt> = Vec::new();
+        for (index, (values, body)) in cases.iter().enumerate().rev() {
+            let body = self.block(body, tail);
+            let tests = values
                 .iter()
                 .map(|label| Expr::binary("==", value.clone(), self.label(&scrutinee.ty, *label)));
-            let condition =
-                tests.reduce(|a, b| Expr::binary("||", a, b)).expect("an arm has values");
-            chain = vec![plain(StmtKind::If { condition, then: body, otherwise: chain })];
+            match tests.reduce(|a, b| Expr::binary("||", a, b)) {
+                _ if index + 1 == cases.len() => chain = body,
+                Some(condition) => {
+                    chain = vec![plain(StmtKind::If { condition, then: body, otherwise: chain })];
+                }
+                // No variant is left for it.
+                None => {}
+            }
         }
         match <[Stmt; 1]>::try_from(chain) {
             Ok([stmt]) => self.out.push(Stmt { origin, ..stmt }),
             Err(body) => self.emit(StmtKind::Block(body)),
         }
+    }
+
+    /// Returns the variants that no arm names.
+    fn left(&self, ty: &Type, arms: &[Arm]) -> Vec<i128> {
+        let Type::Enum(id) = ty else { return Vec::new() };
+        let count = self.context.module.enums[id.index()].variants.len() as i128;
+        (0..count).filter(|value| !arms.iter().any(|arm| arm.values.contains(value))).collect()
     }
 
     /// Returns true if the value could change while the arms are tested or run.

@@ -10,13 +10,17 @@ use super::tree::{Declarator, Expr, Head, Item, Stmt, StmtKind};
 /// Heads of the emitted functions, by name.
 type Heads<'a> = BTreeMap<&'a str, &'a Head>;
 
-/// Returns the functions that some emitted function may call with memory that a written argument shares with another.
+/// A pair of a function's parameters that some emitted function may call with shared memory: the written one, and the
+/// other.
+pub type Pair = (String, usize, usize);
+
+/// Returns the pairs of parameters for which a call without shared memory is not proved.
 ///
 /// `shared` has the fields that lie in unions.
 pub fn unproved<'a>(
     functions: impl Iterator<Item = &'a Item>,
     shared: &BTreeSet<String>,
-) -> BTreeSet<String> {
+) -> BTreeSet<Pair> {
     let bodies: Vec<(&Head, &Vec<Stmt>)> = functions
         .filter_map(|item| match item {
             Item::Function { head, body, .. } => Some((head, body)),
@@ -32,19 +36,21 @@ pub fn unproved<'a>(
             known.names.push((param.name.clone(), is_pointer(param).then_some(memory)));
         }
         known.block(body);
-        calls.extend(known.calls.into_iter().map(|(callee, proof)| (&head.name, callee, proof)));
+        calls.extend(known.calls.into_iter().map(|(pair, proof)| (&head.name, pair, proof)));
     }
-    let mut unproved = BTreeSet::new();
+    let mut unproved: BTreeSet<Pair> = BTreeSet::new();
     loop {
         let before = unproved.len();
-        for (caller, callee, proof) in &calls {
-            let holds = match proof {
+        for (caller, pair, proof) in &calls {
+            let may_share =
+                |one: usize, other: usize| unproved.contains(&((*caller).clone(), one, other));
+            let holds = match *proof {
                 Proof::Always => true,
-                Proof::IfCallerIsApart => !unproved.contains(*caller),
+                Proof::IfDisjoint(one, other) => !may_share(one, other) && !may_share(other, one),
                 Proof::Never => false,
             };
             if !holds {
-                unproved.insert(callee.clone());
+                unproved.insert(pair.clone());
             }
         }
         if unproved.len() == before {
@@ -66,12 +72,12 @@ pub fn written(head: &Head) -> Vec<usize> {
     if pointers.len() < 2 { Vec::new() } else { pointers.into_iter().filter(is_written).collect() }
 }
 
-/// Strength of a proof, the strongest first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+/// Proof that two arguments share no memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Proof {
     Always,
-    /// It holds if the caller's own parameters share no memory.
-    IfCallerIsApart,
+    /// It holds if these two parameters of the caller share none.
+    IfDisjoint(usize, usize),
     Never,
 }
 
@@ -108,7 +114,7 @@ struct Known<'a> {
     shared: &'a BTreeSet<String>,
     /// Visible variables; none is one that is no pointer.
     names: Vec<(String, Option<Memory>)>,
-    calls: Vec<(String, Proof)>,
+    calls: Vec<(Pair, Proof)>,
 }
 
 impl Known<'_> {
@@ -139,17 +145,16 @@ impl Known<'_> {
         }
         let Expr::Call(callee, arguments) = expr else { return };
         let Some(head) = self.heads.get(callee.as_str()).copied() else { return };
-        let mut proof = Proof::Always;
         for index in written(head) {
             for (other, param) in head.params.iter().enumerate() {
                 if other != index && is_pointer(param) {
                     let one = self.argument(&arguments[index], &head.params[index]);
                     let two = self.argument(&arguments[other], param);
-                    proof = proof.max(self.apart(&one, &two));
+                    let proof = self.disjoint(&one, &two);
+                    self.calls.push(((callee.clone(), index, other), proof));
                 }
             }
         }
-        self.calls.push((callee.clone(), proof));
     }
 
     /// Returns the memory of an argument, and the number of elements that the callee may use; none if it is unknown.
@@ -208,13 +213,13 @@ impl Known<'_> {
         }
     }
 
-    fn apart(&self, one: &(Memory, Option<u64>), two: &(Memory, Option<u64>)) -> Proof {
+    fn disjoint(&self, one: &(Memory, Option<u64>), two: &(Memory, Option<u64>)) -> Proof {
         let ((one, of_one), (two, of_two)) = (one, two);
         match (&one.root, &two.root) {
             (Root::Constant, _) | (_, Root::Constant) => return Proof::Always,
             (Root::Unknown, _) | (_, Root::Unknown) => return Proof::Never,
             (Root::Parameter(one), Root::Parameter(two)) if one != two => {
-                return Proof::IfCallerIsApart;
+                return Proof::IfDisjoint(*one, *two);
             }
             (one, two) if one != two => return Proof::Always,
             _ => {}
