@@ -3,7 +3,7 @@
 /* attitude.c */
 
 void attitude_attitude_error_f32(const unit_quaternion_f32_t *attitude,
-    const unit_quaternion_f32_t *target, float result[3])
+    const unit_quaternion_f32_t *target, float result[BESSEMER_RESTRICT 3])
 {
     unit_quaternion_f32_t error_first;
     unit_quaternion_inverse_f32(attitude, &error_first);
@@ -21,7 +21,7 @@ void attitude_attitude_error_f32(const unit_quaternion_f32_t *attitude,
 }
 
 void attitude_attitude_error_f64(const unit_quaternion_f64_t *attitude,
-    const unit_quaternion_f64_t *target, double result[3])
+    const unit_quaternion_f64_t *target, double result[BESSEMER_RESTRICT 3])
 {
     unit_quaternion_f64_t error_first;
     unit_quaternion_inverse_f64(attitude, &error_first);
@@ -40,7 +40,8 @@ void attitude_attitude_error_f64(const unit_quaternion_f64_t *attitude,
 
 void attitude_attitude_torque_f32(const attitude_gains_f32_t *gains,
     const unit_quaternion_f32_t *attitude, const float rates[3],
-    const unit_quaternion_f32_t *target, const float target_rates[3], float result[3])
+    const unit_quaternion_f32_t *target, const float target_rates[3],
+    float result[BESSEMER_RESTRICT 3])
 {
     float error[3];
     attitude_attitude_error_f32(attitude, target, error);
@@ -65,7 +66,7 @@ void attitude_attitude_torque_f32(const attitude_gains_f32_t *gains,
         + gyroscopic[2];
 }
 
-void attitude_up_f32(const unit_quaternion_f32_t *attitude, float result[3])
+void attitude_up_f32(const unit_quaternion_f32_t *attitude, float result[BESSEMER_RESTRICT 3])
 {
     const float w = attitude->w;
     const float x = attitude->i;
@@ -77,7 +78,7 @@ void attitude_up_f32(const unit_quaternion_f32_t *attitude, float result[3])
     result[2] = w * w - x * x - y * y + z * z;
 }
 
-void attitude_up_f64(const unit_quaternion_f64_t *attitude, double result[3])
+void attitude_up_f64(const unit_quaternion_f64_t *attitude, double result[BESSEMER_RESTRICT 3])
 {
     const double w = attitude->w;
     const double x = attitude->i;
@@ -90,7 +91,7 @@ void attitude_up_f64(const unit_quaternion_f64_t *attitude, double result[3])
 }
 
 void attitude_moved_f32(const unit_quaternion_f32_t *attitude, const quaternion_f32_t *change,
-    unit_quaternion_f32_t *unit_quaternion)
+    unit_quaternion_f32_t *BESSEMER_RESTRICT unit_quaternion)
 {
     const quaternion_f32_t moved_a = {
         .i = attitude->i,
@@ -108,7 +109,7 @@ void attitude_moved_f32(const unit_quaternion_f32_t *attitude, const quaternion_
 }
 
 void attitude_moved_f64(const unit_quaternion_f64_t *attitude, const quaternion_f64_t *change,
-    unit_quaternion_f64_t *unit_quaternion)
+    unit_quaternion_f64_t *BESSEMER_RESTRICT unit_quaternion)
 {
     const quaternion_f64_t moved_a = {
         .i = attitude->i,
@@ -126,7 +127,7 @@ void attitude_moved_f64(const unit_quaternion_f64_t *attitude, const quaternion_
 }
 
 void attitude_gradient_f64(const unit_quaternion_f64_t *attitude, const double measured[3],
-    quaternion_f64_t *quaternion)
+    quaternion_f64_t *BESSEMER_RESTRICT quaternion)
 {
     const double w = attitude->w;
     const double x = attitude->i;
@@ -200,8 +201,9 @@ void madgwick_f64_init(madgwick_f64_t *self)
     self->attitude.w = 1.0;
 }
 
-void madgwick_f64_step(madgwick_f64_t *self, const madgwick_gain_f64_t *gain, const double rates[3],
-    const double force[3], unit_quaternion_f64_t *unit_quaternion)
+void madgwick_f64_step(madgwick_f64_t *BESSEMER_RESTRICT self, const madgwick_gain_f64_t *gain,
+    const double rates[3], const double force[3],
+    unit_quaternion_f64_t *BESSEMER_RESTRICT unit_quaternion)
 {
     const double half_product = 0.5 * gain->period;
     const double half[3] = {
@@ -243,7 +245,7 @@ void madgwick_f64_step(madgwick_f64_t *self, const madgwick_gain_f64_t *gain, co
     *unit_quaternion = self->attitude;
 }
 
-void madgwick_f64_up(const madgwick_f64_t *self, double result[3])
+void madgwick_f64_up(const madgwick_f64_t *self, double result[BESSEMER_RESTRICT 3])
 {
     attitude_up_f64(&self->attitude, result);
 }
@@ -288,8 +290,9 @@ void mahony_f32_init(mahony_f32_t *self)
     self->bias[2] = 0.0F;
 }
 
-void mahony_f32_step(mahony_f32_t *self, const mahony_gains_f32_t *gains, const float rates[3],
-    const float force[3], unit_quaternion_f32_t *unit_quaternion)
+void mahony_f32_step(mahony_f32_t *BESSEMER_RESTRICT self, const mahony_gains_f32_t *gains,
+    const float rates[3], const float force[3],
+    unit_quaternion_f32_t *BESSEMER_RESTRICT unit_quaternion)
 {
     const float length = sqrtf(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
     float error[3];
@@ -344,7 +347,7 @@ void mahony_f32_step(mahony_f32_t *self, const mahony_gains_f32_t *gains, const 
     *unit_quaternion = self->attitude;
 }
 
-void mahony_f32_up(const mahony_f32_t *self, float result[3])
+void mahony_f32_up(const mahony_f32_t *self, float result[BESSEMER_RESTRICT 3])
 {
     attitude_up_f32(&self->attitude, result);
 }
@@ -392,8 +395,9 @@ void mahony_f64_init(mahony_f64_t *self)
     self->bias[2] = 0.0;
 }
 
-void mahony_f64_step(mahony_f64_t *self, const mahony_gains_f64_t *gains, const double rates[3],
-    const double force[3], unit_quaternion_f64_t *unit_quaternion)
+void mahony_f64_step(mahony_f64_t *BESSEMER_RESTRICT self, const mahony_gains_f64_t *gains,
+    const double rates[3], const double force[3],
+    unit_quaternion_f64_t *BESSEMER_RESTRICT unit_quaternion)
 {
     const double length = sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
     double error[3];

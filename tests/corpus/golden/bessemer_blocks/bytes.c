@@ -98,7 +98,8 @@ double bytes_read_signal_f64(const uint8_t frame[8], const signal_f64_t *signal)
     return number * signal->scale + signal->offset;
 }
 
-void bytes_write_signal_f32(uint8_t frame[8], const signal_f32_t *signal, float value)
+void bytes_write_signal_f32(uint8_t frame[BESSEMER_RESTRICT 8], const signal_f32_t *signal,
+    float value)
 {
     const uint32_t shift = bytes_shift_f32(signal);
     const uint64_t mask = bytes_mask_f32(signal);
@@ -154,7 +155,8 @@ void bytes_write_signal_f32(uint8_t frame[8], const signal_f32_t *signal, float 
     }
 }
 
-void bytes_write_signal_f64(uint8_t frame[8], const signal_f64_t *signal, double value)
+void bytes_write_signal_f64(uint8_t frame[BESSEMER_RESTRICT 8], const signal_f64_t *signal,
+    double value)
 {
     const uint32_t shift = bytes_shift_f64(signal);
     const uint64_t mask = bytes_mask_f64(signal);
@@ -330,7 +332,8 @@ bool ring_buffer_u16_4_push(ring_buffer_u16_4_t *self, uint16_t value)
     return has_room;
 }
 
-void ring_buffer_u16_4_pop(ring_buffer_u16_4_t *self, option_u16_t *result)
+void ring_buffer_u16_4_pop(ring_buffer_u16_4_t *BESSEMER_RESTRICT self,
+    option_u16_t *BESSEMER_RESTRICT result)
 {
     const uint32_t oldest = self->oldest % 4U;
     if (self->count == 0U) {

@@ -68,8 +68,8 @@ void integrator_f64_init(integrator_f64_t *self)
     self->running = false;
 }
 
-double integrator_f64_step(integrator_f64_t *self, const integrator_parameters_f64_t *parameters,
-    double sample)
+double integrator_f64_step(integrator_f64_t *BESSEMER_RESTRICT self,
+    const integrator_parameters_f64_t *parameters, double sample)
 {
     if (isfinite(sample) != 0) {
         if (self->running) {

@@ -14,7 +14,7 @@ void drives_clarke_f64(double a, double b, stator_f64_t *stator)
     stator->beta = (a + 2.0 * b) * 0.5773502691896258;
 }
 
-void drives_clarke_inverse_f32(const stator_f32_t *vector, float result[3])
+void drives_clarke_inverse_f32(const stator_f32_t *vector, float result[BESSEMER_RESTRICT 3])
 {
     const float half = 0.5F * vector->alpha;
     const float across = 0.8660254F * vector->beta;
@@ -23,7 +23,7 @@ void drives_clarke_inverse_f32(const stator_f32_t *vector, float result[3])
     result[2] = -across - half;
 }
 
-void drives_clarke_inverse_f64(const stator_f64_t *vector, double result[3])
+void drives_clarke_inverse_f64(const stator_f64_t *vector, double result[BESSEMER_RESTRICT 3])
 {
     const double half = 0.5 * vector->alpha;
     const double across = 0.8660254037844386 * vector->beta;
@@ -32,33 +32,36 @@ void drives_clarke_inverse_f64(const stator_f64_t *vector, double result[3])
     result[2] = -across - half;
 }
 
-void drives_park_f32(const stator_f32_t *vector, float sine, float cosine, rotor_f32_t *rotor)
+void drives_park_f32(const stator_f32_t *vector, float sine, float cosine,
+    rotor_f32_t *BESSEMER_RESTRICT rotor)
 {
     rotor->direct = cosine * vector->alpha + sine * vector->beta;
     rotor->quadrature = cosine * vector->beta - sine * vector->alpha;
 }
 
-void drives_park_f64(const stator_f64_t *vector, double sine, double cosine, rotor_f64_t *rotor)
+void drives_park_f64(const stator_f64_t *vector, double sine, double cosine,
+    rotor_f64_t *BESSEMER_RESTRICT rotor)
 {
     rotor->direct = cosine * vector->alpha + sine * vector->beta;
     rotor->quadrature = cosine * vector->beta - sine * vector->alpha;
 }
 
 void drives_park_inverse_f32(const rotor_f32_t *vector, float sine, float cosine,
-    stator_f32_t *stator)
+    stator_f32_t *BESSEMER_RESTRICT stator)
 {
     stator->alpha = cosine * vector->direct - sine * vector->quadrature;
     stator->beta = sine * vector->direct + cosine * vector->quadrature;
 }
 
 void drives_park_inverse_f64(const rotor_f64_t *vector, double sine, double cosine,
-    stator_f64_t *stator)
+    stator_f64_t *BESSEMER_RESTRICT stator)
 {
     stator->alpha = cosine * vector->direct - sine * vector->quadrature;
     stator->beta = sine * vector->direct + cosine * vector->quadrature;
 }
 
-void drives_space_vector_f32(const stator_f32_t *voltage, float supply, duties_f32_t *duties)
+void drives_space_vector_f32(const stator_f32_t *voltage, float supply,
+    duties_f32_t *BESSEMER_RESTRICT duties)
 {
     const float half = 0.5F;
     float phases[3];
@@ -77,7 +80,8 @@ void drives_space_vector_f32(const stator_f32_t *voltage, float supply, duties_f
     duties->is_limited = highest - lowest > supply;
 }
 
-void drives_space_vector_f64(const stator_f64_t *voltage, double supply, duties_f64_t *duties)
+void drives_space_vector_f64(const stator_f64_t *voltage, double supply,
+    duties_f64_t *BESSEMER_RESTRICT duties)
 {
     const double half = 0.5;
     double phases[3];
@@ -222,8 +226,9 @@ void flux_observer_f32_init(flux_observer_f32_t *self)
     self->magnet.beta = 0.0F;
 }
 
-void flux_observer_f32_step(flux_observer_f32_t *self, const flux_parameters_f32_t *motor,
-    const stator_f32_t *voltage, const stator_f32_t *current, stator_f32_t *stator)
+void flux_observer_f32_step(flux_observer_f32_t *BESSEMER_RESTRICT self,
+    const flux_parameters_f32_t *motor, const stator_f32_t *voltage, const stator_f32_t *current,
+    stator_f32_t *BESSEMER_RESTRICT stator)
 {
     const float alpha = self->magnet.alpha;
     const float beta = self->magnet.beta;
@@ -251,8 +256,8 @@ float flux_observer_f32_angle(const flux_observer_f32_t *self)
     return math_single_atan2f(self->magnet.beta, self->magnet.alpha);
 }
 
-void flux_observer_f32_preset(flux_observer_f32_t *self, const flux_parameters_f32_t *motor,
-    float angle)
+void flux_observer_f32_preset(flux_observer_f32_t *BESSEMER_RESTRICT self,
+    const flux_parameters_f32_t *motor, float angle)
 {
     pair_f32_f32_t pair;
     math_single_sin_cosf(angle, &pair);
@@ -306,8 +311,9 @@ void flux_observer_f64_init(flux_observer_f64_t *self)
     self->magnet.beta = 0.0;
 }
 
-void flux_observer_f64_step(flux_observer_f64_t *self, const flux_parameters_f64_t *motor,
-    const stator_f64_t *voltage, const stator_f64_t *current, stator_f64_t *stator)
+void flux_observer_f64_step(flux_observer_f64_t *BESSEMER_RESTRICT self,
+    const flux_parameters_f64_t *motor, const stator_f64_t *voltage, const stator_f64_t *current,
+    stator_f64_t *BESSEMER_RESTRICT stator)
 {
     const double alpha = self->magnet.alpha;
     const double beta = self->magnet.beta;
@@ -375,7 +381,8 @@ void pll_f32_init(pll_f32_t *self)
     self->speed = 0.0F;
 }
 
-float pll_f32_step(pll_f32_t *self, const pll_gains_f32_t *gains, const stator_f32_t *vector)
+float pll_f32_step(pll_f32_t *BESSEMER_RESTRICT self, const pll_gains_f32_t *gains,
+    const stator_f32_t *vector)
 {
     pair_f32_f32_t pair;
     math_single_sin_cosf(self->angle, &pair);
@@ -435,7 +442,8 @@ void pll_f64_init(pll_f64_t *self)
     self->speed = 0.0;
 }
 
-double pll_f64_step(pll_f64_t *self, const pll_gains_f64_t *gains, const stator_f64_t *vector)
+double pll_f64_step(pll_f64_t *BESSEMER_RESTRICT self, const pll_gains_f64_t *gains,
+    const stator_f64_t *vector)
 {
     pair_f64_f64_t pair;
     sine_sin_cos(self->angle, &pair);

@@ -10,8 +10,8 @@ void cascade_direct_f32_1_init(cascade_direct_f32_1_t *self)
     self->states[0][3] = 0.0F;
 }
 
-float cascade_direct_f32_1_step(cascade_direct_f32_1_t *self, const section_f32_t sections[1],
-    float sample)
+float cascade_direct_f32_1_step(cascade_direct_f32_1_t *BESSEMER_RESTRICT self,
+    const section_f32_t sections[1], float sample)
 {
     float value = sample;
     for (uint32_t i = 0U; i < 1U; i++) {
@@ -62,7 +62,8 @@ void cascade_f32_2_init(cascade_f32_2_t *self)
     self->states[1][1] = 0.0F;
 }
 
-float cascade_f32_2_step(cascade_f32_2_t *self, const section_f32_t sections[2], float sample)
+float cascade_f32_2_step(cascade_f32_2_t *BESSEMER_RESTRICT self, const section_f32_t sections[2],
+    float sample)
 {
     float value = sample;
     for (uint32_t i = 0U; i < 2U; i++) {
@@ -74,7 +75,8 @@ float cascade_f32_2_step(cascade_f32_2_t *self, const section_f32_t sections[2],
     return value;
 }
 
-void cascade_f32_2_block_8(cascade_f32_2_t *self, const section_f32_t sections[2], float samples[8])
+void cascade_f32_2_block_8(cascade_f32_2_t *BESSEMER_RESTRICT self, const section_f32_t sections[2],
+    float samples[BESSEMER_RESTRICT 8])
 {
     for (uint32_t i = 0U; i < 2U; i++) {
         float first = self->states[i][0];
@@ -112,7 +114,8 @@ void cascade_f64_2_init(cascade_f64_2_t *self)
     self->states[1][1] = 0.0;
 }
 
-double cascade_f64_2_step(cascade_f64_2_t *self, const section_f64_t sections[2], double sample)
+double cascade_f64_2_step(cascade_f64_2_t *BESSEMER_RESTRICT self, const section_f64_t sections[2],
+    double sample)
 {
     double value = sample;
     for (uint32_t i = 0U; i < 2U; i++) {
@@ -148,7 +151,8 @@ void cascade_f64_3_init(cascade_f64_3_t *self)
     self->states[2][1] = 0.0;
 }
 
-double cascade_f64_3_step(cascade_f64_3_t *self, const section_f64_t sections[3], double sample)
+double cascade_f64_3_step(cascade_f64_3_t *BESSEMER_RESTRICT self, const section_f64_t sections[3],
+    double sample)
 {
     double value = sample;
     for (uint32_t i = 0U; i < 3U; i++) {
@@ -179,8 +183,8 @@ void first_order_filter_f32_init(first_order_filter_f32_t *self)
     self->past = 0.0F;
 }
 
-float first_order_filter_f32_step(first_order_filter_f32_t *self, const first_order_f32_t *section,
-    float sample)
+float first_order_filter_f32_step(first_order_filter_f32_t *BESSEMER_RESTRICT self,
+    const first_order_f32_t *section, float sample)
 {
     const float output = section->b0 * sample + self->past;
     self->past = section->b1 * sample - section->a1 * output;
@@ -207,16 +211,16 @@ void first_order_filter_f64_init(first_order_filter_f64_t *self)
     self->past = 0.0;
 }
 
-double first_order_filter_f64_step(first_order_filter_f64_t *self, const first_order_f64_t *section,
-    double sample)
+double first_order_filter_f64_step(first_order_filter_f64_t *BESSEMER_RESTRICT self,
+    const first_order_f64_t *section, double sample)
 {
     const double output = section->b0 * sample + self->past;
     self->past = section->b1 * sample - section->a1 * output;
     return output;
 }
 
-void first_order_filter_f64_preset(first_order_filter_f64_t *self, const first_order_f64_t *section,
-    double sample, double output)
+void first_order_filter_f64_preset(first_order_filter_f64_t *BESSEMER_RESTRICT self,
+    const first_order_f64_t *section, double sample, double output)
 {
     self->past = output - section->b0 * sample;
 }

@@ -7,7 +7,8 @@ static const double FLATTENING = 0.0033528106647474805;
 static const double SEMI_MAJOR_AXIS = 6378137.0;
 static const uint32_t STEPS = 3U;
 
-void frames_ecef_from_geodetic_f64(const geodetic_f64_t *position, double result[3])
+void frames_ecef_from_geodetic_f64(const geodetic_f64_t *position,
+    double result[BESSEMER_RESTRICT 3])
 {
     pair_f64_f64_t pair;
     sine_sin_cos(position->latitude, &pair);
@@ -21,7 +22,8 @@ void frames_ecef_from_geodetic_f64(const geodetic_f64_t *position, double result
     result[2] = (normal * (1.0 - eccentricity) + position->height) * pair.first;
 }
 
-void frames_geodetic_from_ecef_f64(const double position[3], geodetic_f64_t *geodetic)
+void frames_geodetic_from_ecef_f64(const double position[3],
+    geodetic_f64_t *BESSEMER_RESTRICT geodetic)
 {
     const double semi_major = SEMI_MAJOR_AXIS;
     const double eccentricity = ECCENTRICITY_SQUARED;
@@ -55,7 +57,7 @@ void frames_geodetic_from_ecef_f64(const double position[3], geodetic_f64_t *geo
     geodetic->height = across * c + position[2] * s - surface;
 }
 
-void frames_enu_rotation_f32(const geodetic_f32_t *origin, float result[9])
+void frames_enu_rotation_f32(const geodetic_f32_t *origin, float result[BESSEMER_RESTRICT 9])
 {
     pair_f32_f32_t pair;
     math_single_sin_cosf(origin->latitude, &pair);
@@ -72,7 +74,7 @@ void frames_enu_rotation_f32(const geodetic_f32_t *origin, float result[9])
     result[2 + 3 * 2] = pair.first;
 }
 
-void frames_enu_rotation_f64(const geodetic_f64_t *origin, double result[9])
+void frames_enu_rotation_f64(const geodetic_f64_t *origin, double result[BESSEMER_RESTRICT 9])
 {
     pair_f64_f64_t pair;
     sine_sin_cos(origin->latitude, &pair);
@@ -89,7 +91,8 @@ void frames_enu_rotation_f64(const geodetic_f64_t *origin, double result[9])
     result[2 + 3 * 2] = pair.first;
 }
 
-void frames_enu_from_ecef_f64(const geodetic_f64_t *origin, const double point[3], double result[3])
+void frames_enu_from_ecef_f64(const geodetic_f64_t *origin, const double point[3],
+    double result[BESSEMER_RESTRICT 3])
 {
     double result_enu_rotation_f64[9];
     frames_enu_rotation_f64(origin, result_enu_rotation_f64);
@@ -111,7 +114,8 @@ void frames_enu_from_ecef_f64(const geodetic_f64_t *origin, const double point[3
         + result_enu_rotation_f64[2 + 3 * 2] * result_difference[2];
 }
 
-void frames_ecef_from_enu_f64(const geodetic_f64_t *origin, const double point[3], double result[3])
+void frames_ecef_from_enu_f64(const geodetic_f64_t *origin, const double point[3],
+    double result[BESSEMER_RESTRICT 3])
 {
     double result_enu_rotation_f64[9];
     frames_enu_rotation_f64(origin, result_enu_rotation_f64);
@@ -133,7 +137,7 @@ void frames_ecef_from_enu_f64(const geodetic_f64_t *origin, const double point[3
     result[2] = result_product[2] + result_ecef_from_geodetic_f64[2];
 }
 
-void frames_ned_from_enu_f64(const double vector[3], double result[3])
+void frames_ned_from_enu_f64(const double vector[3], double result[BESSEMER_RESTRICT 3])
 {
     result[0] = vector[1];
     result[1] = vector[0];

@@ -139,8 +139,8 @@ void jerk_limiter_f64_init(jerk_limiter_f64_t *self)
     self->motion.rate = 0.0;
 }
 
-void jerk_limiter_f64_step(jerk_limiter_f64_t *self, const jerk_limits_f64_t *limits, double target,
-    motion_f64_t *motion)
+void jerk_limiter_f64_step(jerk_limiter_f64_t *BESSEMER_RESTRICT self,
+    const jerk_limits_f64_t *limits, double target, motion_f64_t *BESSEMER_RESTRICT motion)
 {
     const double period = limits->period;
     const double value = self->motion.value;
@@ -200,7 +200,8 @@ void rate_limiter_f32_init(rate_limiter_f32_t *self)
     self->output = 0.0F;
 }
 
-float rate_limiter_f32_step(rate_limiter_f32_t *self, const rate_limits_f32_t *limits, float target)
+float rate_limiter_f32_step(rate_limiter_f32_t *BESSEMER_RESTRICT self,
+    const rate_limits_f32_t *limits, float target)
 {
     const float highest = self->output + limits->rise * limits->period;
     const float lowest = self->output - limits->fall * limits->period;

@@ -94,7 +94,8 @@ void debounce_init(debounce_t *self)
     self->different = 0U;
 }
 
-void debounce_step(debounce_t *self, uint32_t periods, bool contact, logic_contact_t *result)
+void debounce_step(debounce_t *BESSEMER_RESTRICT self, uint32_t periods, bool contact,
+    logic_contact_t *BESSEMER_RESTRICT result)
 {
     if (contact == self->is_on) {
         self->different = 0U;
@@ -185,8 +186,8 @@ void voter_f32_init(voter_f32_t *self)
     self->failed[2] = false;
 }
 
-void voter_f32_step(voter_f32_t *self, const voter_limits_f32_t *limits, const float sensors[3],
-    vote_f32_t *vote)
+void voter_f32_step(voter_f32_t *BESSEMER_RESTRICT self, const voter_limits_f32_t *limits,
+    const float sensors[3], vote_f32_t *BESSEMER_RESTRICT vote)
 {
     const float a = sensors[0];
     const float b = sensors[1];
@@ -297,8 +298,8 @@ void voter_f64_init(voter_f64_t *self)
     self->failed[2] = false;
 }
 
-void voter_f64_step(voter_f64_t *self, const voter_limits_f64_t *limits, const double sensors[3],
-    vote_f64_t *vote)
+void voter_f64_step(voter_f64_t *BESSEMER_RESTRICT self, const voter_limits_f64_t *limits,
+    const double sensors[3], vote_f64_t *BESSEMER_RESTRICT vote)
 {
     const double a = sensors[0];
     const double b = sensors[1];

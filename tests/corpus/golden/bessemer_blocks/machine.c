@@ -37,7 +37,8 @@ void machine_phase_init(machine_phase_t *self)
     self->running = false;
 }
 
-sequencing_phase_t machine_phase_step_pump(machine_phase_t *self, pump_t *actions)
+sequencing_phase_t machine_phase_step_pump(machine_phase_t *BESSEMER_RESTRICT self,
+    pump_t *BESSEMER_RESTRICT actions)
 {
     if (!self->running) {
         self->running = true;
@@ -130,7 +131,8 @@ void rates_3_init(rates_3_t *self)
     self->running = false;
 }
 
-void rates_3_step(rates_3_t *self, const schedule_3_t *schedule, bool due[3])
+void rates_3_step(rates_3_t *BESSEMER_RESTRICT self, const schedule_3_t *schedule,
+    bool due[BESSEMER_RESTRICT 3])
 {
     for (uint32_t i = 0U; i < 3U; i++) {
         if (!self->running) {

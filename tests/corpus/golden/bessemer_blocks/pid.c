@@ -78,8 +78,8 @@ void pid_pid_f32_init(pid_pid_f32_t *self)
     self->running = false;
 }
 
-float pid_pid_f32_step(pid_pid_f32_t *self, const pid_parameters_f32_t *parameters, float target,
-    float measured)
+float pid_pid_f32_step(pid_pid_f32_t *BESSEMER_RESTRICT self,
+    const pid_parameters_f32_t *parameters, float target, float measured)
 {
     const float error = target - measured;
     const float weighted = parameters->target_slope_weight * target - measured;
@@ -158,8 +158,8 @@ void pid_pid_f64_init(pid_pid_f64_t *self)
     self->running = false;
 }
 
-double pid_pid_f64_step(pid_pid_f64_t *self, const pid_parameters_f64_t *parameters, double target,
-    double measured)
+double pid_pid_f64_step(pid_pid_f64_t *BESSEMER_RESTRICT self,
+    const pid_parameters_f64_t *parameters, double target, double measured)
 {
     const double error = target - measured;
     const double weighted = parameters->target_slope_weight * target - measured;
@@ -192,8 +192,8 @@ double pid_pid_f64_step(pid_pid_f64_t *self, const pid_parameters_f64_t *paramet
     return output;
 }
 
-void pid_pid_f64_track(pid_pid_f64_t *self, const pid_parameters_f64_t *parameters, double target,
-    double measured, double output)
+void pid_pid_f64_track(pid_pid_f64_t *BESSEMER_RESTRICT self,
+    const pid_parameters_f64_t *parameters, double target, double measured, double output)
 {
     const double proportional = parameters->proportional
         * (parameters->target_weight * target - measured);

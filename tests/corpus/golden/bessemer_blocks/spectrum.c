@@ -6,7 +6,8 @@ static const float F32_TAU = 6.2831855F;
 static const uint32_t SPECTRUM_STAGES_COUNT = 4U;
 static const uint32_t SPECTRUM_STAGES_COUNT_2 = 3U;
 
-void spectrum_fft_f32_16_8(float re[16], float im[16], const float roots[8][2])
+void spectrum_fft_f32_16_8(float re[BESSEMER_RESTRICT 16], float im[BESSEMER_RESTRICT 16],
+    const float roots[8][2])
 {
     for (uint32_t k = 0U; k < 16U; k++) {
         const uint32_t mirrored = (whole_reverse_bits_u32(k) >> (32U - SPECTRUM_STAGES_COUNT))
@@ -46,7 +47,8 @@ void spectrum_fft_f32_16_8(float re[16], float im[16], const float roots[8][2])
     }
 }
 
-void spectrum_fft_f64_8_4(double re[8], double im[8], const double roots[4][2])
+void spectrum_fft_f64_8_4(double re[BESSEMER_RESTRICT 8], double im[BESSEMER_RESTRICT 8],
+    const double roots[4][2])
 {
     for (uint32_t k = 0U; k < 8U; k++) {
         const uint32_t mirrored = (whole_reverse_bits_u32(k) >> (32U - SPECTRUM_STAGES_COUNT_2))

@@ -3,7 +3,7 @@
 /* tables.c */
 
 static void axis_f64_5_between(const axis_f64_5_t *self, uint32_t below, double value,
-    beyond_t beyond, place_f64_t *place);
+    beyond_t beyond, place_f64_t *BESSEMER_RESTRICT place);
 static float tables_limited_f32(float share, beyond_t beyond);
 static double tables_limited_f64(double share, beyond_t beyond);
 
@@ -17,7 +17,7 @@ bool tables_ascends_f64_5(const double axis[5])
 }
 
 void uniform_axis_f32_3_place(const uniform_axis_f32_3_t *self, float value, beyond_t beyond,
-    place_f32_t *place)
+    place_f32_t *BESSEMER_RESTRICT place)
 {
     const float at = (value - self->first) / self->spacing;
     const float whole = floorf(min_f32(max_f32(at, 0.0F), 3.0F - 2.0F));
@@ -27,7 +27,7 @@ void uniform_axis_f32_3_place(const uniform_axis_f32_3_t *self, float value, bey
 }
 
 void uniform_axis_f64_4_place(const uniform_axis_f64_4_t *self, double value, beyond_t beyond,
-    place_f64_t *place)
+    place_f64_t *BESSEMER_RESTRICT place)
 {
     const double at = (value - self->first) / self->spacing;
     const double whole = floor(min_f64(max_f64(at, 0.0), 4.0 - 2.0));
@@ -36,7 +36,8 @@ void uniform_axis_f64_4_place(const uniform_axis_f64_4_t *self, double value, be
     place->share = tables_limited_f64(at - whole, beyond);
 }
 
-void axis_f64_5_place(const axis_f64_5_t *self, double value, beyond_t beyond, place_f64_t *place)
+void axis_f64_5_place(const axis_f64_5_t *self, double value, beyond_t beyond,
+    place_f64_t *BESSEMER_RESTRICT place)
 {
     uint32_t below = 0U;
     for (uint32_t k = 1U; k < 5U - 1U; k++) {
@@ -50,7 +51,7 @@ void axis_f64_5_place(const axis_f64_5_t *self, double value, beyond_t beyond, p
 }
 
 void axis_f32_4_between(const axis_f32_4_t *self, uint32_t below, float value, beyond_t beyond,
-    place_f32_t *place)
+    place_f32_t *BESSEMER_RESTRICT place)
 {
     const uint32_t below_2 = min_u32(below, 4U - 2U);
     const float low = self->points[below_2];
@@ -61,7 +62,7 @@ void axis_f32_4_between(const axis_f32_4_t *self, uint32_t below, float value, b
 
 /** Returns the position of a value from the point below it. */
 static void axis_f64_5_between(const axis_f64_5_t *self, uint32_t below, double value,
-    beyond_t beyond, place_f64_t *place)
+    beyond_t beyond, place_f64_t *BESSEMER_RESTRICT place)
 {
     const uint32_t below_2 = min_u32(below, 5U - 2U);
     const double low = self->points[below_2];
@@ -244,8 +245,8 @@ void tables_search_init(tables_search_t *self)
     self->below = 0U;
 }
 
-void tables_search_place_f32_4(tables_search_t *self, const axis_f32_4_t *axis, float value,
-    beyond_t beyond, place_f32_t *place)
+void tables_search_place_f32_4(tables_search_t *BESSEMER_RESTRICT self, const axis_f32_4_t *axis,
+    float value, beyond_t beyond, place_f32_t *BESSEMER_RESTRICT place)
 {
     uint32_t below = self->below;
     for (uint32_t pass = 1U; pass < 4U; pass++) {

@@ -16,9 +16,9 @@ static const point_f64_t TRAJECTORIES_POINT_DEFAULT_2 = {
 };
 
 static void trajectories_evaluated_f64_6(const double coefficients[6], double duration, double time,
-    point_f64_t *point);
+    point_f64_t *BESSEMER_RESTRICT point);
 static void trajectories_evaluated_f64_8(const double coefficients[8], double duration, double time,
-    point_f64_t *point);
+    point_f64_t *BESSEMER_RESTRICT point);
 
 void trapezoid_f64_plan(double distance, double speed, double acceleration,
     trapezoid_f64_t *trapezoid)
@@ -43,7 +43,8 @@ double trapezoid_f64_duration(const trapezoid_f64_t *self)
     return 2.0 * self->ramp + self->cruise;
 }
 
-void trapezoid_f64_at(const trapezoid_f64_t *self, double time, point_f64_t *point)
+void trapezoid_f64_at(const trapezoid_f64_t *self, double time,
+    point_f64_t *BESSEMER_RESTRICT point)
 {
     const double half = 0.5;
     const double left = trapezoid_f64_duration(self) - time;
@@ -184,7 +185,7 @@ double s_curve_f64_duration(const s_curve_f64_t *self)
     return 2.0 * self->ramp + self->cruise;
 }
 
-void s_curve_f32_at(const s_curve_f32_t *self, float time, point_f32_t *point)
+void s_curve_f32_at(const s_curve_f32_t *self, float time, point_f32_t *BESSEMER_RESTRICT point)
 {
     const float half = 0.5F;
     const float left = s_curve_f32_duration(self) - time;
@@ -248,7 +249,7 @@ void s_curve_f32_at(const s_curve_f32_t *self, float time, point_f32_t *point)
     *point = point_value;
 }
 
-void s_curve_f64_at(const s_curve_f64_t *self, double time, point_f64_t *point)
+void s_curve_f64_at(const s_curve_f64_t *self, double time, point_f64_t *BESSEMER_RESTRICT point)
 {
     const double half = 0.5;
     const double left = s_curve_f64_duration(self) - time;
@@ -314,7 +315,7 @@ void s_curve_f64_at(const s_curve_f64_t *self, double time, point_f64_t *point)
 }
 
 void minimum_jerk_f64_between(const point_f64_t *from, const point_f64_t *to, double duration,
-    minimum_jerk_f64_t *minimum_jerk)
+    minimum_jerk_f64_t *BESSEMER_RESTRICT minimum_jerk)
 {
     const double half = 0.5;
     const double square = duration * duration;
@@ -333,13 +334,14 @@ void minimum_jerk_f64_between(const point_f64_t *from, const point_f64_t *to, do
     minimum_jerk->duration = duration;
 }
 
-void minimum_jerk_f64_at(const minimum_jerk_f64_t *self, double time, point_f64_t *point)
+void minimum_jerk_f64_at(const minimum_jerk_f64_t *self, double time,
+    point_f64_t *BESSEMER_RESTRICT point)
 {
     trajectories_evaluated_f64_6(self->coefficients, self->duration, time, point);
 }
 
 void minimum_snap_f64_between(const point_f64_t *from, const point_f64_t *to, double duration,
-    minimum_snap_f64_t *minimum_snap)
+    minimum_snap_f64_t *BESSEMER_RESTRICT minimum_snap)
 {
     const double half = 0.5;
     const double two = 2.0;
@@ -365,14 +367,15 @@ void minimum_snap_f64_between(const point_f64_t *from, const point_f64_t *to, do
     minimum_snap->duration = duration;
 }
 
-void minimum_snap_f64_at(const minimum_snap_f64_t *self, double time, point_f64_t *point)
+void minimum_snap_f64_at(const minimum_snap_f64_t *self, double time,
+    point_f64_t *BESSEMER_RESTRICT point)
 {
     trajectories_evaluated_f64_8(self->coefficients, self->duration, time, point);
 }
 
 /** Returns the state on a polynomial of the time divided by the duration, by Horner's rule. */
 static void trajectories_evaluated_f64_6(const double coefficients[6], double duration, double time,
-    point_f64_t *point)
+    point_f64_t *BESSEMER_RESTRICT point)
 {
     const double at = min_f64(max_f64(time / duration, 0.0), 1.0);
     double value = 0.0;
@@ -394,7 +397,7 @@ static void trajectories_evaluated_f64_6(const double coefficients[6], double du
 
 /** Returns the state on a polynomial of the time divided by the duration, by Horner's rule. */
 static void trajectories_evaluated_f64_8(const double coefficients[8], double duration, double time,
-    point_f64_t *point)
+    point_f64_t *BESSEMER_RESTRICT point)
 {
     const double at = min_f64(max_f64(time / duration, 0.0), 1.0);
     double value = 0.0;

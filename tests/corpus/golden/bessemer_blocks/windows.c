@@ -11,8 +11,8 @@ void decimator_f32_5_init(decimator_f32_5_t *self)
     self->wait = 0U;
 }
 
-void decimator_f32_5_step(decimator_f32_5_t *self, const float taps[5], uint32_t factor,
-    float sample, option_f32_t *result)
+void decimator_f32_5_step(decimator_f32_5_t *BESSEMER_RESTRICT self, const float taps[5],
+    uint32_t factor, float sample, option_f32_t *BESSEMER_RESTRICT result)
 {
     self->newest = ((self->newest % 5U) + 1U) % 5U;
     self->samples[self->newest] = sample;
@@ -70,7 +70,7 @@ void fir_f32_5_init(fir_f32_5_t *self)
     }
 }
 
-float fir_f32_5_step(fir_f32_5_t *self, const float taps[5], float sample)
+float fir_f32_5_step(fir_f32_5_t *BESSEMER_RESTRICT self, const float taps[5], float sample)
 {
     float sum = 0.0F;
     for (uint32_t k = 5U; k-- > 1U;) {
@@ -113,7 +113,8 @@ void moving_f32_8_init(moving_f32_8_t *self)
     self->filled = false;
 }
 
-void moving_f32_8_spread(moving_f32_8_t *self, float sample, spread_f32_t *spread)
+void moving_f32_8_spread(moving_f32_8_t *BESSEMER_RESTRICT self, float sample,
+    spread_f32_t *BESSEMER_RESTRICT spread)
 {
     moving_f32_8_take(self, sample);
     const float mean = moving_f32_8_mean(self);

@@ -8,9 +8,9 @@ void estimators_init(estimators_t *self)
     madgwick_f64_init(&self->madgwick);
 }
 
-void estimators_step(estimators_t *self, const mahony_gains_f64_t *mahony,
+void estimators_step(estimators_t *BESSEMER_RESTRICT self, const mahony_gains_f64_t *mahony,
     const madgwick_gain_f64_t *madgwick, const double rates[3], const double force[3],
-    double result[3])
+    double result[BESSEMER_RESTRICT 3])
 {
     unit_quaternion_f64_t one;
     mahony_f64_step(&self->mahony, mahony, rates, force, &one);
@@ -40,9 +40,9 @@ void levelled_init(levelled_t *self)
     mahony_f32_init(&self->filter);
 }
 
-void levelled_step(levelled_t *self, const mahony_gains_f32_t *gains,
+void levelled_step(levelled_t *BESSEMER_RESTRICT self, const mahony_gains_f32_t *gains,
     const attitude_gains_f32_t *control, const float rates[3], const float force[3],
-    float result[3])
+    float result[BESSEMER_RESTRICT 3])
 {
     unit_quaternion_f32_t attitude;
     mahony_f32_step(&self->filter, gains, rates, force, &attitude);
@@ -51,7 +51,7 @@ void levelled_step(levelled_t *self, const mahony_gains_f32_t *gains,
     attitude_attitude_torque_f32(control, &attitude, rates, &level, result_target_rates, result);
 }
 
-void levelled_up(const levelled_t *self, float result[3])
+void levelled_up(const levelled_t *self, float result[BESSEMER_RESTRICT 3])
 {
     mahony_f32_up(&self->filter, result);
 }

@@ -7,8 +7,8 @@ void oven_init(oven_t *self)
     pid_pid_f64_init(&self->pid);
 }
 
-double oven_step(oven_t *self, const pid_parameters_f64_t *parameters, double target,
-    double temperature, const option_f64_t *manual)
+double oven_step(oven_t *BESSEMER_RESTRICT self, const pid_parameters_f64_t *parameters,
+    double target, double temperature, const option_f64_t *manual)
 {
     if (manual->is_some) {
         const double power = manual->value;
@@ -33,8 +33,8 @@ void speed_loop_init(speed_loop_t *self)
     pid_pid_f32_init(&self->pid);
 }
 
-float speed_loop_step(speed_loop_t *self, const pid_parameters_f32_t *parameters, float target,
-    float speed)
+float speed_loop_step(speed_loop_t *BESSEMER_RESTRICT self, const pid_parameters_f32_t *parameters,
+    float target, float speed)
 {
     return pid_pid_f32_step(&self->pid, parameters, target, speed);
 }

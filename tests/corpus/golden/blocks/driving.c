@@ -39,8 +39,9 @@ void resolver_init(resolver_t *self)
     flux_observer_f64_init(&self->observer);
 }
 
-void resolver_step(resolver_t *self, const pll_gains_f64_t *gains,
-    const flux_parameters_f64_t *motor, const stator_f64_t *vector, pair_f64_f64_t *result)
+void resolver_step(resolver_t *BESSEMER_RESTRICT self, const pll_gains_f64_t *gains,
+    const flux_parameters_f64_t *motor, const stator_f64_t *vector,
+    pair_f64_f64_t *BESSEMER_RESTRICT result)
 {
     const double angle = pll_f64_step(&self->pll, gains, vector);
     stator_f64_t flux;
@@ -72,8 +73,8 @@ void sensorless_init(sensorless_t *self)
     self->voltage.beta = 0.0F;
 }
 
-void sensorless_step(sensorless_t *self, const drive_parameters_t *parameters, float wanted,
-    const float currents[2], float supply, duties_f32_t *duties)
+void sensorless_step(sensorless_t *BESSEMER_RESTRICT self, const drive_parameters_t *parameters,
+    float wanted, const float currents[2], float supply, duties_f32_t *BESSEMER_RESTRICT duties)
 {
     stator_f32_t current;
     drives_clarke_f32(currents[0], currents[1], &current);
@@ -103,7 +104,8 @@ float sensorless_speed(const sensorless_t *self)
     return pll_f32_speed(&self->pll);
 }
 
-float sensorless_align(sensorless_t *self, const drive_parameters_t *parameters, float angle)
+float sensorless_align(sensorless_t *BESSEMER_RESTRICT self, const drive_parameters_t *parameters,
+    float angle)
 {
     flux_observer_f32_preset(&self->observer, &parameters->observer, angle);
     return flux_observer_f32_angle(&self->observer);

@@ -9,8 +9,8 @@ void current_filter_init(current_filter_t *self)
     first_order_filter_f32_init(&self->lead);
 }
 
-float current_filter_step(current_filter_t *self, const section_f32_t sections[2], float current,
-    float disturbance)
+float current_filter_step(current_filter_t *BESSEMER_RESTRICT self, const section_f32_t sections[2],
+    float current, float disturbance)
 {
     const float smooth = cascade_f32_2_step(&self->smooth, sections, current);
     section_f32_t notch_value;
@@ -22,7 +22,8 @@ float current_filter_step(current_filter_t *self, const section_f32_t sections[2
     return first_order_filter_f32_step(&self->lead, &result_section, free);
 }
 
-void current_filter_block(current_filter_t *self, const section_f32_t sections[2], float samples[8])
+void current_filter_block(current_filter_t *BESSEMER_RESTRICT self, const section_f32_t sections[2],
+    float samples[BESSEMER_RESTRICT 8])
 {
     cascade_f32_2_block_8(&self->smooth, sections, samples);
 }

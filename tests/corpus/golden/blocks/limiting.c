@@ -8,8 +8,8 @@ void gimbal_init(gimbal_t *self)
     hysteresis_init(&self->away);
 }
 
-void gimbal_step(gimbal_t *self, const jerk_limits_f64_t *limits, double target, bool lost,
-    motion_f64_t *motion)
+void gimbal_step(gimbal_t *BESSEMER_RESTRICT self, const jerk_limits_f64_t *limits, double target,
+    bool lost, motion_f64_t *BESSEMER_RESTRICT motion)
 {
     if (lost) {
         jerk_limiter_f64_preset(&self->limiter, 0.0);
@@ -39,8 +39,8 @@ void limiting_valve_init(limiting_valve_t *self)
     hysteresis_init(&self->closing);
 }
 
-void limiting_valve_step(limiting_valve_t *self, const rate_limits_f32_t *limits, float stick,
-    float pressure, saturated_f32_t *saturated)
+void limiting_valve_step(limiting_valve_t *BESSEMER_RESTRICT self, const rate_limits_f32_t *limits,
+    float stick, float pressure, saturated_f32_t *BESSEMER_RESTRICT saturated)
 {
     const float wanted = bessemer_blocks_limits_dead_band_f32(stick, 0.05F);
     float wanted_2;

@@ -20,7 +20,7 @@ void moved_axis_start(moved_axis_t *self, float from, float to)
     self->time = 0.0F;
 }
 
-void moved_axis_step(moved_axis_t *self, point_f32_t *point)
+void moved_axis_step(moved_axis_t *BESSEMER_RESTRICT self, point_f32_t *BESSEMER_RESTRICT point)
 {
     self->time = min_f32(self->time + 0.001F, s_curve_f32_duration(&self->curve));
     s_curve_f32_at(&self->curve, self->time, point);
@@ -46,7 +46,8 @@ void moving_three_segments(double distance, double speed, double acceleration, d
     trapezoid_f64_at(&trapezoid, time * trapezoid_f64_duration(&trapezoid), point);
 }
 
-void moving_s_curve(double distance, const double limits[3], double time, point_f64_t *point)
+void moving_s_curve(double distance, const double limits[3], double time,
+    point_f64_t *BESSEMER_RESTRICT point)
 {
     s_curve_f64_t curve;
     s_curve_f64_plan(distance, limits[0], limits[1], limits[2], &curve);
@@ -54,7 +55,7 @@ void moving_s_curve(double distance, const double limits[3], double time, point_
 }
 
 void moving_smoothest(const point_f64_t *from, const point_f64_t *to, double duration, double time,
-    point_f64_t result[2])
+    point_f64_t result[BESSEMER_RESTRICT 2])
 {
     minimum_jerk_f64_t result_self;
     minimum_jerk_f64_between(from, to, duration, &result_self);

@@ -2,7 +2,8 @@
 
 /* navigating.c */
 
-void navigating_seen(const geodetic_f64_t *origin, const geodetic_f64_t *position, double result[3])
+void navigating_seen(const geodetic_f64_t *origin, const geodetic_f64_t *position,
+    double result[BESSEMER_RESTRICT 3])
 {
     double result_point[3];
     frames_ecef_from_geodetic_f64(position, result_point);
@@ -12,7 +13,7 @@ void navigating_seen(const geodetic_f64_t *origin, const geodetic_f64_t *positio
 }
 
 void navigating_reached(const geodetic_f64_t *origin, const double offset[3],
-    geodetic_f64_t *geodetic)
+    geodetic_f64_t *BESSEMER_RESTRICT geodetic)
 {
     double geodetic_point[3];
     frames_ned_from_enu_f64(offset, geodetic_point);
@@ -21,7 +22,7 @@ void navigating_reached(const geodetic_f64_t *origin, const double offset[3],
     frames_geodetic_from_ecef_f64(geodetic_position, geodetic);
 }
 
-void navigating_vertical(const geodetic_f32_t *origin, float result[3])
+void navigating_vertical(const geodetic_f32_t *origin, float result[BESSEMER_RESTRICT 3])
 {
     float result_enu_rotation_f32[9];
     frames_enu_rotation_f32(origin, result_enu_rotation_f32);

@@ -11,13 +11,15 @@ void converter_init(converter_t *self)
     moving_f32_8_init(&self->noise);
 }
 
-void converter_step(converter_t *self, float sample, option_f32_t *result)
+void converter_step(converter_t *BESSEMER_RESTRICT self, float sample,
+    option_f32_t *BESSEMER_RESTRICT result)
 {
     const float smooth = fir_f32_5_step(&self->fir, TAPS, sample);
     decimator_f32_5_step(&self->decimator, TAPS, 4U, smooth, result);
 }
 
-void converter_noise(converter_t *self, float sample, spread_f32_t *spread)
+void converter_noise(converter_t *BESSEMER_RESTRICT self, float sample,
+    spread_f32_t *BESSEMER_RESTRICT spread)
 {
     moving_f32_8_spread(&self->noise, sample, spread);
 }
@@ -40,8 +42,8 @@ void meter_init(meter_t *self)
     moving_f64_3_init(&self->mean);
 }
 
-void meter_step(meter_t *self, const integrator_parameters_f64_t *parameters, double power,
-    bool reset, double result[3])
+void meter_step(meter_t *BESSEMER_RESTRICT self, const integrator_parameters_f64_t *parameters,
+    double power, bool reset, double result[BESSEMER_RESTRICT 3])
 {
     if (reset) {
         integrator_f64_reset(&self->energy, 0.0);

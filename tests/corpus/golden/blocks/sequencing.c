@@ -85,7 +85,7 @@ void station_init(station_t *self)
     self->level = 0.0F;
 }
 
-void station_step(station_t *self, float level, pump_t *pump)
+void station_step(station_t *BESSEMER_RESTRICT self, float level, pump_t *BESSEMER_RESTRICT pump)
 {
     bool elements[3];
     rates_3_step(&self->rates, &SCHEDULE, elements);

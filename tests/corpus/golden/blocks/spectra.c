@@ -2,7 +2,7 @@
 
 /* spectra.c */
 
-void spectra_powers(const float samples[16], float powers[8])
+void spectra_powers(const float samples[16], float powers[BESSEMER_RESTRICT 8])
 {
     float re[16];
     (void)memcpy(re, samples, sizeof(float[16]));
@@ -13,7 +13,7 @@ void spectra_powers(const float samples[16], float powers[8])
     }
 }
 
-void spectra_transformed(double re[8], double im[8])
+void spectra_transformed(double re[BESSEMER_RESTRICT 8], double im[BESSEMER_RESTRICT 8])
 {
     spectrum_fft_f64_8_4(re, im, (const double (*)[2])SPECTRA_FINE_ROOTS);
 }

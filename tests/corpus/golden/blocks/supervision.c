@@ -7,8 +7,8 @@ void altimeters_init(altimeters_t *self)
     voter_f64_init(&self->voter);
 }
 
-void altimeters_step(altimeters_t *self, const voter_limits_f64_t *limits, const double sensors[3],
-    pair_f64_f64_t *result)
+void altimeters_step(altimeters_t *BESSEMER_RESTRICT self, const voter_limits_f64_t *limits,
+    const double sensors[3], pair_f64_f64_t *BESSEMER_RESTRICT result)
 {
     const double a = sensors[0];
     const double b = sensors[1];
@@ -52,8 +52,8 @@ bool supervisor_step(supervisor_t *self, bool button, bool message, bool is_cold
     return result && !(is_slow && logic_timer_elapsed(&self->warm_up) > 1200U);
 }
 
-void supervisor_pressure(supervisor_t *self, const voter_limits_f32_t *limits,
-    const float sensors[3], bool reset, vote_f32_t *vote)
+void supervisor_pressure(supervisor_t *BESSEMER_RESTRICT self, const voter_limits_f32_t *limits,
+    const float sensors[3], bool reset, vote_f32_t *BESSEMER_RESTRICT vote)
 {
     if (reset) {
         voter_f32_reset(&self->pressure);

@@ -12,7 +12,7 @@ bool commands_put(commands_t *self, uint16_t command)
     return ring_buffer_u16_4_push(&self->queue, command);
 }
 
-void commands_take(commands_t *self, option_u16_t *result)
+void commands_take(commands_t *BESSEMER_RESTRICT self, option_u16_t *BESSEMER_RESTRICT result)
 {
     if (ring_buffer_u16_4_is_empty(&self->queue)) {
         result->is_some = false;
@@ -33,14 +33,14 @@ typedef struct {
 
 static const uint32_t U32_MAX = UINT32_MAX;
 
-void telegrams_wheels(const uint8_t frame[8], float values[3])
+void telegrams_wheels(const uint8_t frame[8], float values[BESSEMER_RESTRICT 3])
 {
     for (uint32_t i = 0U; i < 3U; i++) {
         values[i] = bytes_read_signal_f32(frame, &TELEGRAMS_WHEELS[i]);
     }
 }
 
-void telegrams_wheels_frame(const float values[3], uint8_t frame[8])
+void telegrams_wheels_frame(const float values[3], uint8_t frame[BESSEMER_RESTRICT 8])
 {
     for (uint32_t i = 0U; i < 8U; i++) {
         frame[i] = 0U;
@@ -52,7 +52,7 @@ void telegrams_wheels_frame(const float values[3], uint8_t frame[8])
 }
 
 void telegrams_exchanged(const uint8_t frame[8], const signal_f64_t *signal, double value,
-    pair_f64_u8x8_t *result)
+    pair_f64_u8x8_t *BESSEMER_RESTRICT result)
 {
     (void)memcpy(result->second, frame, sizeof(uint8_t[8]));
     const double before = bytes_read_signal_f64(result->second, signal);
@@ -60,7 +60,7 @@ void telegrams_exchanged(const uint8_t frame[8], const signal_f64_t *signal, dou
     result->first = before;
 }
 
-void telegrams_checksums(const uint8_t record[12], pair_u16_u32_t *result)
+void telegrams_checksums(const uint8_t record[12], pair_u16_u32_t *BESSEMER_RESTRICT result)
 {
     result->first = bytes_crc16(BYTES_CRC16_CCITT, 0xFFFFU, record, UINT64_C(12));
     result->second = ~bytes_crc32(BYTES_CRC32_IEEE, U32_MAX, record, UINT64_C(12));

@@ -70,9 +70,9 @@ bool orders_is_beyond(double reading, double limit)
     return option.is_some && comparison_is_greater(option.value);
 }
 
-void orders_longest(const orders_task_t tasks[4], option_task_t *BESSEMER_RESTRICT result)
+void orders_longest(const orders_task_t tasks[4], option_orders_task_t *BESSEMER_RESTRICT result)
 {
-    *result = (option_task_t){.is_some = false};
+    *result = (option_orders_task_t){.is_some = false};
     for (uint32_t i = 0U; i < 4U; i++) {
         if (result->is_some) {
             if (comparison_is_at_most(comparison_then(
@@ -106,4 +106,4 @@ typedef struct {
     bool is_some;
     /** The value, if there is one. */
     orders_task_t value;
-} option_task_t;
+} option_orders_task_t;
