@@ -5,6 +5,7 @@
 
 pub mod compile;
 pub mod deep;
+pub mod derivatives;
 pub mod generate;
 pub mod remarks;
 pub mod worst;

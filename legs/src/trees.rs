@@ -72,7 +72,8 @@ pub fn tree(job: &Job, folders: &[PathBuf]) -> Result<Tree, Error> {
 pub fn folders() -> Vec<PathBuf> {
     let tests = std::fs::read_dir(root().join("tests")).into_iter().flatten().flatten();
     let tests = tests.map(|entry| entry.path()).filter(|path| path.join("Cargo.toml").exists());
-    let mut all: Vec<PathBuf> = tests.chain([root().join("models")]).collect();
+    let mut all: Vec<PathBuf> =
+        tests.chain(["models", "estimation"].map(|it| root().join(it))).collect();
     all.sort();
     all
 }

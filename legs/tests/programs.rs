@@ -1,5 +1,5 @@
 //! Holds the IR of each program of the corpus to a golden file. The stored trees, which the front half's own tests read,
-//! are held to the corpus.
+//! are held to the corpus, and so are the bodies of derivatives.
 //!
 //! `UPDATE_DOCS=1 cargo test -p bessemer-legs --test programs` writes both. A program gets a stored tree when an empty file
 //! for it is there.
@@ -10,18 +10,24 @@ mod door;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
+use bessemer_codegen::derivatives;
 use bessemer_codegen::generate::Job;
+use bessemer_frontend::source::Sources;
+use bessemer_ir::tree::Package;
 use bessemer_legs::{root, trees};
 use door::{Items, LIBRARY, deep, differs, file, files};
 
 const RENEWAL: &str = "UPDATE_DOCS=1 cargo test -p bessemer-legs --test programs";
 
-/// The items of the corpus, their files named from the root on.
-static CORPUS: LazyLock<Items> = LazyLock::new(|| {
+/// The tree of the corpus.
+static PACKAGE: LazyLock<Package> = LazyLock::new(|| {
     let tree = trees::tree(&Job::new(root(), "corpus"), &trees::folders());
-    let package = tree.unwrap_or_else(|error| panic!("{error}")).package;
-    deep(|| Items::of(package, "tests/corpus/src/"))
+    tree.unwrap_or_else(|error| panic!("{error}")).package
 });
+
+/// The items of the corpus, their files named from the root on.
+static CORPUS: LazyLock<Items> =
+    LazyLock::new(|| deep(|| Items::of(PACKAGE.clone(), "tests/corpus/src/")));
 
 /// Fails with the differences, each of a file.
 #[track_caller]
@@ -65,6 +71,15 @@ fn the_stored_trees_are_those_of_the_programs() {
     }
     differences.extend(differs(&file(&folder, LIBRARY, "json"), &text(&library)));
     none(&differences);
+}
+
+/// Bodies of derivatives are those that the generator writes. After a renewal their IR is stale: renew twice.
+#[test]
+fn the_derivatives_are_those_of_the_functions() {
+    let edits = derivatives::edits(&PACKAGE, &Sources::new(root()), false);
+    let edits = edits.unwrap_or_else(|errors| panic!("{errors:?}"));
+    let differences = edits.iter().filter_map(|it| differs(&root().join(&it.file), &it.after));
+    none(&differences.collect::<Vec<_>>());
 }
 
 /// Writes a line for each item.

@@ -118,7 +118,7 @@ pub fn compile(folder: &Path, wanted: Wanted<'_>) -> Result<(Project, Compiled),
 }
 
 fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
-    let mut made = generate::compiled(job)?;
+    let mut made = generate::compiled_from(job, &generate::renewed(job)?)?;
     let limits = &project.settings.limits;
     let figures = made.compiled.entries.iter().flat_map(|entry| {
         let whose = format!("`{}`", entry.entry);

@@ -17,6 +17,7 @@ mod reported;
 mod workspace;
 
 use crate::compile::{self, Compiled};
+use crate::derivatives::{self, Edit};
 use crate::remarks;
 use bessemer_frontend::diagnostic::{Diagnostic, Told};
 use bessemer_frontend::source::Sources;
@@ -53,7 +54,7 @@ pub struct Made {
 ///
 /// See [`Error`]; after an error the folder is unchanged.
 pub fn generate(job: &Job) -> Result<Summary, Error> {
-    let Made { compiled, remarks } = compiled(job)?;
+    let Made { compiled, remarks } = compiled_from(job, &renewed(job)?)?;
     let changed = deliver(job, &compiled)?;
     Ok(Summary { compiled, changed, remarks })
 }
@@ -94,6 +95,32 @@ pub fn compiled_from(job: &Job, tree: &Tree) -> Result<Made, Error> {
     let alike = remarks::alike(&compiled.explicit, &job.options);
     let remarks = warnings.iter().cloned().chain(found).chain(alike).collect();
     Ok(Made { compiled, remarks: Told::new(remarks, &sources, job.colour) })
+}
+
+/// Returns the tree of the job's package, once the bodies of its derivatives are those of the functions. With
+/// [`Job::check`] it compares them.
+///
+/// # Errors
+/// See [`Error`].
+pub fn renewed(job: &Job) -> Result<Tree, Error> {
+    let tree = tree(job)?;
+    let sources = Sources::new(&job.root);
+    let columns = job.options.layout == compile::Layout::Columns;
+    let edits = derivatives::edits(&tree.package, &sources, columns)
+        .map_err(|diagnostics| refused(job, diagnostics, &sources))?;
+    if edits.is_empty() {
+        return Ok(tree);
+    }
+    if job.check {
+        let shown =
+            edits.iter().map(|it| output::difference(&it.file, &it.before, &it.after, job.colour));
+        return Err(Error::Stale(shown.collect()));
+    }
+    for Edit { file, after, .. } in edits {
+        let path = job.root.join(file);
+        std::fs::write(&path, after).map_err(|source| Error::File { path, source })?;
+    }
+    self::tree(job)
 }
 
 /// Writes the C to the job's folder, or compares it; returns the names of the changed files.

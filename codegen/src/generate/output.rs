@@ -39,6 +39,13 @@ pub(super) fn check(
     if difference.is_empty() { Ok(()) } else { Err(Error::Stale(difference)) }
 }
 
+/// Returns the difference between a committed file and the text that it must have.
+pub(super) fn difference(name: &str, old: &str, new: &str, colour: bool) -> String {
+    let mut text = String::new();
+    diff(name, Some(&old.to_owned()), Some(&new.to_owned()), colour, &mut text);
+    text
+}
+
 fn diff(name: &str, old: Option<&String>, new: Option<&String>, colour: bool, out: &mut String) {
     let (before, after) = (old.map_or("", String::as_str), new.map_or("", String::as_str));
     if before == after && old.is_some() == new.is_some() {

@@ -3,8 +3,8 @@
 //!
 //! They are removed from the native item, and reach the tree as [`Attributes`].
 
-use bessemer_tree::Role;
 use bessemer_tree::attributes::{Attributes, Inlining};
+use bessemer_tree::{Derivative, Role};
 use proc_macro2::TokenStream;
 
 use crate::given::{self, check_name, check_section};
@@ -19,6 +19,8 @@ pub struct Asked {
     pub role: Role,
     /// Attributes for the C.
     pub attributes: Attributes,
+    /// Derivative that the body computes.
+    pub derivative: Option<Derivative>,
 }
 
 /// Reads the attributes of a free function.
@@ -29,10 +31,22 @@ pub fn of_function(function: &mut syn::ItemFn, refusals: &mut Refusals) -> Asked
         true => Role::Inline { public: is_public(&function.vis) },
         false => visible(&function.vis),
     };
-    let mut asked = Asked { role, attributes: Attributes { inlining, ..Attributes::default() } };
+    let mut asked = Asked::new(role, Attributes { inlining, ..Attributes::default() });
     asked.take(attributes, refusals);
     given::parameters(&mut function.sig, &mut asked.attributes, refusals);
     asked
+}
+
+/// Reads the argument `derivative(path::of, parameter, …)` of `#[function]`.
+pub fn derivative(arguments: &TokenStream) -> Option<(Derivative, syn::Path)> {
+    let list = syn::parse2::<syn::MetaList>(arguments.clone()).ok()?;
+    let parser = syn::punctuated::Punctuated::<syn::Path, syn::Token![,]>::parse_terminated;
+    let mut paths = list.parse_args_with(parser).ok()?.into_iter();
+    let of = paths.next().filter(|_| list.path.is_ident("derivative"))?;
+    let by = paths.map(|it| it.get_ident().map(lower::text)).collect::<Option<Vec<_>>>()?;
+    let segments = of.segments.iter().map(|it| lower::text(&it.ident)).collect();
+    let site = lower::site(&of.segments.first()?.ident);
+    (!by.is_empty()).then_some((Derivative { of: segments, by, site }, of))
 }
 
 /// Internal argument that marks a function inside other functions; its value is the nesting depth.
@@ -93,7 +107,7 @@ pub fn of_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusa
         Kind::Component if inlining == Inlining::Always => Role::Inline { public: true },
         Kind::Component => Role::Private,
     };
-    let mut asked = Asked { role, attributes: Attributes { inlining, ..Attributes::default() } };
+    let mut asked = Asked::new(role, Attributes { inlining, ..Attributes::default() });
     attributes.retain(|attribute| {
         let is_entry = attribute.path().is_ident("entry");
         if is_entry {
@@ -109,7 +123,7 @@ pub fn of_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusa
 
 /// Reads the attributes of an interface's method; each implementation has its own.
 pub fn of_interface(method: &mut syn::TraitItemFn, refusals: &mut Refusals) -> Asked {
-    let mut asked = Asked { role: Role::Public, attributes: Attributes::default() };
+    let mut asked = Asked::new(Role::Public, Attributes::default());
     asked.take(&mut method.attrs, refusals);
     given::parameters(&mut method.sig, &mut asked.attributes, refusals);
     method.default.iter_mut().for_each(|body| mark_inner(body, 1));
@@ -117,6 +131,11 @@ pub fn of_interface(method: &mut syn::TraitItemFn, refusals: &mut Refusals) -> A
 }
 
 impl Asked {
+    /// Creates the attributes of a function whose author writes its body.
+    pub fn new(role: Role, attributes: Attributes) -> Self {
+        Self { role, attributes, derivative: None }
+    }
+
     /// Reads `#[entry]`, `#[entry(infallible)]` and `#[entry(atomic)]`, each possibly with `single`.
     fn entry(&mut self, kind: Kind, attribute: &syn::Attribute, refusals: &mut Refusals) {
         let words = match &attribute.meta {

@@ -324,6 +324,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         result,
         body,
         operators: std::mem::take(&mut walk.operators),
+        derivative: subject.asked.derivative.clone(),
     };
     let builder = builder(subject, scope, &tree, &parameters, &walk, (signature, &copy));
     // What is lent has the lifetime that its author wrote, and so has what is iterated.

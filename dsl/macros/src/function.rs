@@ -23,22 +23,31 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
         _ => Role::Public,
     };
     let depth = attributes::depth(&arguments);
-    if !arguments.is_empty() && role == Role::Public && depth == 0 {
+    let derivative = attributes::derivative(&arguments);
+    let is_derivative = syn::parse2::<syn::MetaList>(arguments.clone())
+        .is_ok_and(|list| list.path.is_ident("derivative"));
+    if is_derivative && derivative.is_none() {
+        refusals.add(&arguments, refuse::DERIVATIVE);
+    } else if !arguments.is_empty() && role == Role::Public && depth == 0 && !is_derivative {
         refusals.add(&arguments, refuse::ARGUMENTS);
     }
-    marked(item, refusals, depth, |function, refusals| {
+    // rustc reports a function that does not exist at the author's path.
+    let named = derivative
+        .as_ref()
+        .map(|(_, of)| quote! { const _: () = { #[allow(unused_imports)] use #of as _; }; });
+    let item = marked(item, refusals, depth, |function, refusals| {
         if role != Role::Public {
             lower::without_returns(&function.block, refusals);
         }
-        Asked { role, attributes: Attributes::default() }
-    })
+        Asked { derivative: derivative.map(|it| it.0), ..Asked::new(role, Attributes::default()) }
+    });
+    quote! { #item #named }
 }
 
 /// Expands `#[external]`.
 pub fn expand_external(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    marked(item, Refusals::default(), 0, |function, refusals| Asked {
-        role: Role::Public,
-        attributes: attributes::external(&arguments, function, refusals),
+    marked(item, Refusals::default(), 0, |function, refusals| {
+        Asked::new(Role::Public, attributes::external(&arguments, function, refusals))
     })
 }
 
@@ -67,21 +76,22 @@ fn marked(
     }
     imports::write_out(&function.sig, &mut function.block);
     let more = more(&function, &mut refusals);
-    let mut asked = attributes::of_function(&mut function, &mut refusals);
+    let mut found = attributes::of_function(&mut function, &mut refusals);
     if more.attributes.external.is_some() {
-        let Attributes { parameters, result, .. } = asked.attributes;
+        let Attributes { parameters, result, .. } = found.attributes;
         let attributes = Attributes { parameters, result, ..more.attributes };
-        asked = Asked { role: Role::Public, attributes };
+        found = Asked::new(Role::Public, attributes);
     } else if more.role != Role::Public {
-        asked.role = more.role;
+        found.role = more.role;
     }
+    found.derivative = more.derivative;
     attributes::mark_inner(&mut function.block, depth + 1);
     let subject = Subject {
         attributes: &function.attrs,
         visibility: &function.vis,
         signature: &function.sig,
         body: &function.block,
-        asked,
+        asked: found,
         home: if depth > 0 { Home::Function(depth) } else { Home::Module },
     };
     let builder = builder::build(&subject, &mut refusals);

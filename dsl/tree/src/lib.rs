@@ -169,6 +169,20 @@ pub struct FunctionTree {
     /// Operators that may be functions, depending on the types of their operands.
     #[serde(default)]
     pub operators: Vec<Operator>,
+    /// Derivative that the body computes, if the generator writes it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub derivative: Option<Derivative>,
+}
+
+/// A derivative: `#[function(derivative(advance, state))]`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Derivative {
+    /// Segments of the path of the differentiated function.
+    pub of: Vec<String>,
+    /// Parameters by which it is differentiated, in the order of the Jacobians.
+    pub by: Vec<String>,
+    /// Site of the path.
+    pub site: Site,
 }
 
 /// An operator, with the slots of its operands.

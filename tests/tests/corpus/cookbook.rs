@@ -7,6 +7,7 @@ use corpus::programs::cookbook::lookup_table::{
     BROKEN, NTC_COUNTS, NTC_TEMPERATURES, SHORTED, thermistor,
 };
 use corpus::programs::cookbook::low_pass::{BiquadFilter, butterworth};
+use corpus::programs::cookbook::navigation::{Inertial, Navigation, advanced};
 use corpus::programs::cookbook::pi::{PiController, PiParameters};
 use corpus::programs::cookbook::position_servo::{PositionServo, SPEED_PERIODS, ServoParameters};
 use corpus::programs::cookbook::pump::{DRY_MS, PRIMING_MS, PumpControl, PumpInputs, PumpState};
@@ -172,4 +173,50 @@ fn the_fixed_point_filter_is_its_floating_one_to_a_step() {
         assert!((f64::from(output.0) / 32768.0 - level).abs() < 1.0 / 32768.0, "{n}");
     }
     assert_eq!(Q15(i16::MIN) * Q15(i16::MIN), Q15(i16::MAX));
+}
+
+/// A hovering aircraft that is steered by the filter's estimate returns to the origin, although its gyro has a bias.
+#[test]
+fn an_aircraft_returns_by_the_estimate_of_the_navigation_filter() {
+    let mut seed = 1_u64;
+    // Uniform, with variance 1.
+    let mut noise = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((seed >> 33) as f64 / (1_u64 << 31) as f64 - 0.5) * 12_f64.sqrt()
+    };
+    let period = 0.01;
+    let mut filter = Navigation::default();
+    let mut truth = filter.state;
+    let bias = [0.02, -0.03, 0.01];
+    for axis in 0..3 {
+        truth[axis] = [1.5, -1.0, 0.5][axis];
+        truth[axis + 9] = bias[axis];
+    }
+    let mut rejected = 0;
+    for step in 0..6_000 {
+        let seen = filter.state;
+        let wanted = |axis: usize| (-0.3 * seen[axis] - seen[axis + 3]).clamp(-1.0, 1.0);
+        // Pitch down accelerates to the north, roll to the right to the east.
+        let rates = [0.1 * wanted(1) - seen[6], -0.1 * wanted(0) - seen[7], -seen[8]];
+        let inertial = Inertial {
+            rate: [0, 1, 2].map(|axis| 4.0 * rates[axis] + bias[axis]).into(),
+            force: [0.0, 0.0, wanted(2) - 9.81].into(),
+        };
+        truth = advanced(&truth, &inertial, period);
+        filter.predict(&inertial, period);
+        if step % 10 == 0 {
+            let position = [0, 1, 2].map(|axis| truth[axis] + 0.5 * noise());
+            let velocity = [3, 4, 5].map(|axis| truth[axis] + 0.1 * noise());
+            rejected += filter.correct(&position.into(), &velocity.into());
+        }
+        let covariance = filter.covariance.matrix();
+        assert!(filter.covariance.is_plausible(), "step {step}");
+        assert_eq!(*covariance, covariance.transpose(), "step {step}");
+    }
+    let far = (0..3).map(|axis| truth[axis].abs()).fold(0.0, f64::max);
+    assert!(far < 0.3, "{truth}");
+    for axis in [9, 10] {
+        assert!((filter.state[axis] - truth[axis]).abs() < 0.003, "{} {truth}", filter.state);
+    }
+    assert!(rejected < 20, "{rejected}");
 }

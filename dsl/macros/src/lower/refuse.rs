@@ -110,6 +110,7 @@ macro_rules! reasons {
 reasons! {
     SYNTAX: "this syntax is not part of the DSL", "write it with `let`, `if`, `match`, `for`, calls and arithmetic";
     ARGUMENTS: "this attribute takes no arguments", "remove them";
+    DERIVATIVE: "`derivative` names a function and some of its parameters", "write `#[function(derivative(advance, state))]`";
     NOT_A_FUNCTION: "`#[function]` belongs on a free function", "mark a struct, an enum or an `impl` block `#[data]` or `#[component]`";
     REWRITTEN_CALL: "a `#[function(rewrite)]` can only call its own closures", "use `#[function(expand)]`, which can call other functions";
     METHOD_ALONE: "a method is marked through its `impl` block", "mark the `impl` block `#[data]` or `#[component]`, and remove `#[function]`";

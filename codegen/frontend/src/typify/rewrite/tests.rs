@@ -26,6 +26,7 @@ fn replace() -> FunctionTree {
         mutable: false,
     };
     FunctionTree {
+        derivative: None,
         name: "replace".into(),
         site,
         docs: Vec::new(),

@@ -1,0 +1,173 @@
+//! Differentiates functions of the IR in forward mode, and prints the derivative as Rust.
+//!
+//! The function is evaluated on values whose numbers are expressions, each with its derivatives by the variables on
+//! which it depends. Those variables are known for each number, so zeros and ones are never computed. Branches on
+//! unknown conditions stay branches, long loops stay loops; calls are inlined.
+//!
+//! Invariants:
+//!
+//! * Values have the operations of the function in its order, so the bits of the value are the function's.
+//! * The derivative at a branch is the derivative of the branch taken. Whole numbers, booleans and enums are constant, and so
+//!   is a rounded number.
+//!
+//! Must not know: the author's syntax, or C.
+
+mod clean;
+mod control;
+mod expression;
+mod fold;
+mod join;
+mod linear;
+mod loops;
+mod place;
+mod rules;
+mod run;
+mod rust;
+mod value;
+
+use bessemer_ir::{Expr, ExprKind, Float, Function, FunctionId, Mode, Module, Scalar, Span, Type};
+
+pub use rust::body;
+
+/// A reason why a function has no derivative, at its place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// Place of the reason.
+    pub span: Span,
+    /// The mistake.
+    pub message: String,
+    /// The remedy.
+    pub help: String,
+}
+
+/// A result, or the reason why there is none.
+pub type Result<T> = std::result::Result<T, Problem>;
+
+impl Problem {
+    /// Creates a problem.
+    pub fn new(span: Span, message: impl Into<String>, help: impl Into<String>) -> Problem {
+        Problem { span, message: message.into(), help: help.into() }
+    }
+}
+
+/// A request for the value of a function and its Jacobians by some of its parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Request {
+    /// Differentiated function.
+    pub of: FunctionId,
+    /// Parameters by which it is differentiated, by their indices.
+    pub by: Vec<usize>,
+    /// Function that computes the value and the Jacobians. It has the parameters of `of`.
+    pub into: FunctionId,
+}
+
+/// Returns the function of a request, with the body of the derivative. Its calls are calls of functions in the returned module,
+/// which has the elementary functions that the derivative needs.
+///
+/// # Errors
+///
+/// A function without a derivative, or a signature that does not fit.
+pub fn derivative(module: &Module, request: &Request) -> Result<(Module, Function)> {
+    check(module, request)?;
+    let mut run = run::Run::new(module, request);
+    let body = run.whole(request)?;
+    let declared = &module.functions[request.into.index()];
+    let (module, locals) = run.finish();
+    let mut function = Function { locals, body, ..declared.clone() };
+    clean::clean(&mut function);
+    Ok((module, function))
+}
+
+/// Returns the name of the variable's type, and the number of variables of a parameter.
+fn variables(module: &Module, ty: &Type) -> Option<(Float, u32)> {
+    let leaves = module.leaves(ty);
+    let float = leaves.first()?.as_float()?;
+    let all = leaves.iter().all(|leaf| leaf.as_float() == Some(float));
+    all.then_some((float, leaves.len() as u32))
+}
+
+/// Returns the type of a Jacobian.
+fn jacobian(float: Float, rows: u32, cols: u32) -> Type {
+    match (rows, cols) {
+        (1, 1) => Type::Scalar(Scalar::Float(float)),
+        _ => Type::Matrix { element: Scalar::Float(float), rows, cols },
+    }
+}
+
+fn check(module: &Module, request: &Request) -> Result<()> {
+    let of = &module.functions[request.of.index()];
+    let into = &module.functions[request.into.index()];
+    if let Some(written) = of.parameters().iter().find(|it| it.mode == Mode::RefMut) {
+        return Err(Problem::new(
+            into.span,
+            format!("`{}` writes through `{}`, and has no derivative", of.name, written.name),
+            "return the new value from a function that takes `&` references",
+        ));
+    }
+    let fits =
+        |(a, b): (&bessemer_ir::Local, &bessemer_ir::Local)| a.ty == b.ty && a.mode == b.mode;
+    let pairs = of.parameters().iter().zip(into.parameters());
+    if of.params != into.params || !pairs.into_iter().all(fits) {
+        return Err(Problem::new(
+            into.span,
+            format!("`{}` does not have the parameters of `{}`", into.name, of.name),
+            format!("declare the parameters of `{}` in their order", of.name),
+        ));
+    }
+    let Some((float, rows)) = variables(module, &of.result) else {
+        return Err(Problem::new(
+            into.span,
+            format!("the result of `{}` has parts that are no floats of one type", of.name),
+            "differentiate a function whose result is a float, a vector, or a struct of them",
+        ));
+    };
+    let mut expected = vec![of.result.clone()];
+    for &index in &request.by {
+        let parameter = &of.parameters()[index];
+        let Some((_, cols)) = variables(module, &parameter.ty).filter(|it| it.0 == float) else {
+            return Err(Problem::new(
+                into.span,
+                format!("`{}` is not a {}, and has no derivative", parameter.name, float.name()),
+                "name parameters that are floats, vectors, matrices or structs of them",
+            ));
+        };
+        expected.push(jacobian(float, rows, cols));
+    }
+    let declared: Vec<Type> = match &into.result {
+        Type::Struct(id) => {
+            module.structs[id.index()].fields.iter().map(|field| field.ty.clone()).collect()
+        }
+        _ => Vec::new(),
+    };
+    if declared != expected {
+        let shown = expected.iter().map(|ty| rust::type_name(module, ty, &into.module));
+        let shown = shown.collect::<Vec<_>>().join(", ");
+        return Err(Problem::new(
+            into.span,
+            format!(
+                "`{}` has another result than the value and the Jacobians of `{}`",
+                into.name, of.name
+            ),
+            format!("write `-> ({shown})`"),
+        ));
+    }
+    Ok(())
+}
+
+/// Returns a literal float.
+fn float(value: f64, ty: &Type, span: Span) -> Expr {
+    let word = match ty.as_float() {
+        Some(Float::F32) => u64::from((value as f32).to_bits()),
+        _ => value.to_bits(),
+    };
+    Expr::literal(word, ty.clone(), span)
+}
+
+/// Returns the value of a literal float.
+fn known(expr: &Expr) -> Option<f64> {
+    let ExprKind::Literal(word) = expr.kind else { return None };
+    match expr.ty.as_float()? {
+        Float::F32 => Some(f64::from(f32::from_bits(word as u32))),
+        Float::F64 => Some(f64::from_bits(word)),
+    }
+}

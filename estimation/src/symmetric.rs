@@ -1,0 +1,301 @@
+//! Symmetric matrices, such as covariances, and their corrections by measurements.
+//!
+//! Both triangles are stored. Each operation computes the lower one and mirrors it, so that the two never differ: a
+//! difference would grow by each prediction, until a covariance loses its sign.
+
+use bessemer::prelude::*;
+
+use crate::{Correction, Status};
+
+/// A symmetric matrix.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Symmetric<T: Real, const N: usize> {
+    /// Elements; symmetric to the last bit.
+    pub(crate) elements: SMatrix<T, N, N>,
+}
+
+impl<T: Real, const N: usize> Default for Symmetric<T, N> {
+    fn default() -> Self {
+        Symmetric { elements: SMatrix::zeros() }
+    }
+}
+
+#[data]
+impl<T: Real, const N: usize> Symmetric<T, N> {
+    /// Returns the matrix with these elements on the diagonal, and zeros elsewhere.
+    pub fn diagonal(values: &SVector<T, N>) -> Self {
+        let mut elements = SMatrix::zeros();
+        for n in 0..N {
+            elements[(n, n)] = values[n];
+        }
+        Symmetric { elements }
+    }
+
+    /// Returns the matrix with the lower triangle of another matrix.
+    pub fn of_lower(matrix: &SMatrix<T, N, N>) -> Self {
+        let mut elements = *matrix;
+        for col in 1..N {
+            for row in 0..col {
+                elements[(row, col)] = matrix[(col, row)];
+            }
+        }
+        Symmetric { elements }
+    }
+
+    /// Returns the elements.
+    pub fn matrix(&self) -> &SMatrix<T, N, N> {
+        &self.elements
+    }
+
+    /// Returns an element.
+    pub fn at(&self, row: usize, col: usize) -> T {
+        self.elements[(row, col)]
+    }
+
+    /// Sets an element, and the one that mirrors it.
+    pub fn set(&mut self, row: usize, col: usize, value: T) {
+        self.elements[(row, col)] = value;
+        self.elements[(col, row)] = value;
+    }
+
+    /// Adds to the diagonal, such as the process noise of independent errors.
+    pub fn add_diagonal(&mut self, values: &SVector<T, N>) {
+        for n in 0..N {
+            self.elements[(n, n)] += values[n];
+        }
+    }
+
+    /// Adds another symmetric matrix.
+    pub fn add(&mut self, other: &Self) {
+        for col in 0..N {
+            for row in 0..N {
+                self.elements[(row, col)] += other.elements[(row, col)];
+            }
+        }
+    }
+
+    /// Becomes F P Fᵀ, the covariance of the errors after a step with the Jacobian F. Elements of F that are zero are
+    /// skipped, so a sparse Jacobian costs its other elements.
+    pub fn congruence(&mut self, jacobian: &SMatrix<T, N, N>) {
+        // The columns of P Fᵀ.
+        let mut product = SMatrix::<T, N, N>::zeros();
+        for col in 0..N {
+            for k in 0..N {
+                let factor = jacobian[(col, k)];
+                if factor != T::ZERO {
+                    for row in 0..N {
+                        product[(row, col)] += self.elements[(row, k)] * factor;
+                    }
+                }
+            }
+        }
+        for row in 0..N {
+            let mut sums = SVector::<T, N>::zeros();
+            for k in 0..N {
+                let factor = jacobian[(row, k)];
+                if factor != T::ZERO {
+                    for col in 0..=row {
+                        sums[col] += factor * product[(k, col)];
+                    }
+                }
+            }
+            for col in 0..=row {
+                self.elements[(row, col)] = sums[col];
+                self.elements[(col, row)] = sums[col];
+            }
+        }
+    }
+
+    /// Returns P h, the covariance of the errors with a measurement of the row h.
+    pub fn times(&self, row: &SVector<T, N>) -> SVector<T, N> {
+        let mut sums = SVector::zeros();
+        for k in 0..N {
+            if row[k] != T::ZERO {
+                for n in 0..N {
+                    sums[n] += self.elements[(n, k)] * row[k];
+                }
+            }
+        }
+        sums
+    }
+
+    /// Returns true if each element of the diagonal is positive and finite.
+    pub fn is_plausible(&self) -> bool {
+        let mut plausible = true;
+        for n in 0..N {
+            let variance = self.elements[(n, n)];
+            plausible = plausible && variance > T::ZERO && variance.is_finite();
+        }
+        plausible
+    }
+
+    /// Corrects by one number: the `row` of the measurement's Jacobian, its `innovation` (measured less expected) and its
+    /// variance. The state gains the gain times the innovation. A measurement with a surprise above `gate` is rejected.
+    pub fn correct(
+        &mut self,
+        state: &mut SVector<T, N>,
+        row: &SVector<T, N>,
+        innovation: T,
+        variance: T,
+        gate: T,
+    ) -> Correction<T> {
+        let spread = self.times(row);
+        let mut expected = variance;
+        for n in 0..N {
+            expected += row[n] * spread[n];
+        }
+        self.corrected(state, &spread, expected, innovation, gate)
+    }
+
+    /// Corrects by a measurement of one element of the state, as [`Symmetric::correct`] does. An index beyond the state is
+    /// `Lost`.
+    pub fn correct_element(
+        &mut self,
+        state: &mut SVector<T, N>,
+        index: usize,
+        innovation: T,
+        variance: T,
+        gate: T,
+    ) -> Correction<T> {
+        if index >= N {
+            return Correction { surprise: T::ZERO, status: Status::Lost };
+        }
+        let mut spread = SVector::<T, N>::zeros();
+        for n in 0..N {
+            spread[n] = self.elements[(n, index)];
+        }
+        let expected = spread[index] + variance;
+        self.corrected(state, &spread, expected, innovation, gate)
+    }
+
+    /// Corrects by an innovation with the variance `expected` and the covariance `spread` with the errors.
+    fn corrected(
+        &mut self,
+        state: &mut SVector<T, N>,
+        spread: &SVector<T, N>,
+        expected: T,
+        innovation: T,
+        gate: T,
+    ) -> Correction<T> {
+        if !(expected > T::ZERO && expected.is_finite()) {
+            return Correction { surprise: T::ZERO, status: Status::Lost };
+        }
+        let scale = T::ONE / expected;
+        let surprise = innovation * innovation * scale;
+        if !(surprise <= gate) {
+            return Correction { surprise, status: Status::Rejected };
+        }
+
+        for n in 0..N {
+            if !(self.elements[(n, n)] - spread[n] * scale * spread[n] > T::ZERO) {
+                return Correction { surprise, status: Status::Lost };
+            }
+        }
+        for row in 0..N {
+            let gain = spread[row] * scale;
+            state[row] += gain * innovation;
+            for col in 0..=row {
+                let value = self.elements[(row, col)] - gain * spread[col];
+                self.elements[(row, col)] = value;
+                self.elements[(col, row)] = value;
+            }
+        }
+        Correction { surprise, status: Status::Corrected }
+    }
+
+    /// Corrects by several numbers at once, whose errors have the covariance `noise`. With S = H P Hᵀ + R = L Lᵀ and
+    /// Y = L⁻¹ H P, P loses Yᵀ Y and the state gains Yᵀ L⁻¹ ν.
+    pub fn correct_jointly<const M: usize>(
+        &mut self,
+        state: &mut SVector<T, N>,
+        jacobian: &SMatrix<T, M, N>,
+        innovation: &SVector<T, M>,
+        noise: &Symmetric<T, M>,
+        gate: T,
+    ) -> Correction<T> {
+        // H P; its rows become those of Y.
+        let mut rows = SMatrix::<T, N, M>::zeros();
+        for m in 0..M {
+            for k in 0..N {
+                let factor = jacobian[(m, k)];
+                if factor != T::ZERO {
+                    for n in 0..N {
+                        rows[(n, m)] += factor * self.elements[(n, k)];
+                    }
+                }
+            }
+        }
+        // The factor L of S, by rows, in its lower triangle; `scaled` becomes L⁻¹ ν.
+        let mut factor = SMatrix::<T, M, M>::zeros();
+        let mut scaled = *innovation;
+        let mut surprise = T::ZERO;
+        for m in 0..M {
+            for before in 0..=m {
+                let mut sum = noise.elements[(m, before)];
+                for n in 0..N {
+                    sum += jacobian[(before, n)] * rows[(n, m)];
+                }
+                factor[(m, before)] = sum;
+            }
+        }
+        for m in 0..M {
+            for before in 0..m {
+                let mut sum = factor[(m, before)];
+                for k in 0..before {
+                    sum -= factor[(m, k)] * factor[(before, k)];
+                }
+                factor[(m, before)] = sum / factor[(before, before)];
+            }
+            let mut square = factor[(m, m)];
+            for k in 0..m {
+                square -= factor[(m, k)] * factor[(m, k)];
+                scaled[m] = scaled[m] - factor[(m, k)] * scaled[k];
+            }
+            if !(square > T::ZERO && square.is_finite()) {
+                return Correction { surprise: T::ZERO, status: Status::Lost };
+            }
+            let root = square.sqrt();
+            factor[(m, m)] = root;
+            scaled[m] /= root;
+            surprise += scaled[m] * scaled[m];
+        }
+        if !(surprise <= gate) {
+            return Correction { surprise, status: Status::Rejected };
+        }
+
+        for m in 0..M {
+            for k in 0..m {
+                for n in 0..N {
+                    rows[(n, m)] = rows[(n, m)] - factor[(m, k)] * rows[(n, k)];
+                }
+            }
+            for n in 0..N {
+                rows[(n, m)] /= factor[(m, m)];
+            }
+        }
+        for n in 0..N {
+            let mut variance = self.elements[(n, n)];
+            for m in 0..M {
+                variance -= rows[(n, m)] * rows[(n, m)];
+            }
+            if !(variance > T::ZERO) {
+                return Correction { surprise, status: Status::Lost };
+            }
+        }
+        for row in 0..N {
+            for m in 0..M {
+                state[row] += rows[(row, m)] * scaled[m];
+            }
+            for col in 0..=row {
+                let mut value = self.elements[(row, col)];
+                for m in 0..M {
+                    value -= rows[(row, m)] * rows[(col, m)];
+                }
+                self.elements[(row, col)] = value;
+                self.elements[(col, row)] = value;
+            }
+        }
+        Correction { surprise, status: Status::Corrected }
+    }
+}
