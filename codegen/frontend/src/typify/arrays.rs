@@ -89,8 +89,7 @@ impl Lowering<'_, '_> {
             let elements = self.alike(&elements, Some(Type::Scalar(*element)), &words::OPERANDS)?;
             return self.node(ExprKind::Matrix(elements), ty, expr.site);
         }
-        let mut source = self.base(from)?;
-        self.fix(&mut source);
+        let source = self.base(from)?;
         let (outer, inner) = match (dimensions(&ty), dimensions(&source.ty)) {
             (Some(dimensions), None) | (None, Some(dimensions)) => dimensions,
             _ => return problem(expr.site, "this is no array of a matrix' elements", OUR_FAULT),

@@ -105,8 +105,7 @@ impl Lowering<'_, '_> {
     }
 
     fn list(&mut self, expr: &tree::Expr) -> Result<Bounded> {
-        let mut place = self.base(expr)?;
-        self.fix(&mut place);
+        let place = self.base(expr)?;
         self.list_at(&place).needed(expr.site, "this is not a `List`")
     }
 
@@ -114,12 +113,11 @@ impl Lowering<'_, '_> {
     /// the capacity, so that a corrupt size cannot cause a read beyond the array.
     pub(super) fn bounded_element(
         &mut self,
-        mut place: Place,
+        place: Place,
         index: &tree::Expr,
         span: Span,
     ) -> Result<Place> {
         let is_matrix = self.contained(&place.ty).is_some_and(|(.., columns)| columns.is_some());
-        self.fix(&mut place);
         let indices = match is_matrix {
             true => self.bounded_indices(index)?.to_vec(),
             false => {
@@ -144,7 +142,7 @@ impl Lowering<'_, '_> {
             self.check(all, Fault::Index, span);
         }
         let place = bounded.at(indices.into_iter().rev());
-        Ok(if is_matrix { Place { span, ..place } } else { place })
+        Ok(if is_matrix { Place { span, ..place } } else { self.indexed(place) })
     }
 
     fn bounded_indices(&mut self, index: &tree::Expr) -> Result<[Expr; 2]> {
@@ -168,11 +166,10 @@ impl Lowering<'_, '_> {
     /// Lowers a `for` over all elements of a matrix.
     pub(super) fn each_of_bounded(
         &mut self,
-        mut matrix: Place,
+        matrix: Place,
         Each { site, label, pattern, body, .. }: Each,
     ) -> Result<()> {
         let span = self.span(site);
-        self.fix(&mut matrix);
         let Some(matrix) = self.bounded(&matrix) else { return Ok(()) };
         let Some((columns, most)) = &matrix.columns else { return Ok(()) };
         let mut end = |name, size: &Place, most: u32| {

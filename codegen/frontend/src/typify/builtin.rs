@@ -8,7 +8,6 @@ use super::kernels::shape;
 use super::lengths::size;
 use super::lowering::Lowering;
 use super::numbers::number;
-use super::order::is_free;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
@@ -78,12 +77,8 @@ impl Lowering<'_, '_> {
         if let Some(part) = self.submatrix(matrix)? {
             return Ok(Some((part.rows, part.cols)));
         }
-        let mut value = self.value(matrix, None)?;
-        if let ExprKind::Load(place) = &mut value.kind {
-            self.fix(place);
-        } else if !is_free(&value) {
-            self.hold(value.clone());
-        }
+        let value = self.value(matrix, None)?;
+        self.operand_held(words::VECTOR, value.clone());
         Ok(shape(&value.ty).map(|(_, rows, cols)| (rows, cols)))
     }
 

@@ -144,12 +144,9 @@ impl<'a> Lowering<'a, '_> {
     fn hold_argument(&mut self, argument: &mut Argument, expr: &tree::Expr, is_last: bool) {
         match argument {
             Argument::Value(_) if is_last => {}
-            Argument::RefMut(place) => self.fix(place),
+            Argument::RefMut(_) => {}
             Argument::Ref(Expr { kind: ExprKind::Load(place), .. })
-                if is_place(expr) && !self.is_loan(place) =>
-            {
-                self.fix(place);
-            }
+                if is_place(expr) && !self.is_loan(place) => {}
             Argument::Value(value) | Argument::Ref(value) => {
                 *value = self.atom(words::ARGUMENT, value.clone());
             }

@@ -402,10 +402,7 @@ impl<'a> Lowering<'a, '_> {
             && handed.scope.locals.is_some()
             && !(by_value && self.cx.holds_iterator(&value.ty))
         {
-            let mut place = place.clone();
-            // Its indices are checked also where the body does not read it.
-            self.fix(&mut place);
-            return Ok(Value::Place(place));
+            return Ok(Value::Place(place.clone()));
         }
         // In a place of its own: the body may write to what it was computed from.
         let value = match name {

@@ -78,9 +78,7 @@ impl Lowering<'_, '_> {
 
     /// Returns the place of a compared value; its indices are evaluated once.
     pub(super) fn compared(&mut self, value: Expr) -> Place {
-        let mut place = self.hold(value);
-        self.fix(&mut place);
-        place
+        self.hold(value)
     }
 
     /// Returns true for a variant constructed in place, such as `Some(3)`.

@@ -477,8 +477,7 @@ impl Lowering<'_, '_> {
         if is_repeatable(place) {
             return Ok(place.clone());
         }
-        let mut found = self.writable(place)?;
-        self.fix(&mut found);
+        let found = self.writable(place)?;
         self.bind(PLACE, Value::Place(found));
         Ok(tree::Expr { kind: Tree::Local(PLACE.to_owned()), ..place.clone() })
     }
@@ -499,8 +498,7 @@ impl Lowering<'_, '_> {
             let place = self.writable(place)?;
             return Ok((self.joined_place(mark, place), value));
         }
-        let mut place = self.writable(place)?;
-        self.fix(&mut place);
+        let place = self.writable(place)?;
         let value = self.value(value, expected.as_ref())?;
         Ok((place, value))
     }

@@ -420,7 +420,7 @@ impl Lowering<'_, '_> {
     }
 
     /// Holds an operand. A computed aggregate is named by its type.
-    fn operand_held(&mut self, role: &str, value: Expr) -> Expr {
+    pub(super) fn operand_held(&mut self, role: &str, value: Expr) -> Expr {
         let computed =
             !matches!(value.kind, ExprKind::Load(_) | ExprKind::Struct(_) | ExprKind::Array(_));
         match self.atomic(role, value) {

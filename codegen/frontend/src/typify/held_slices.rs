@@ -108,15 +108,13 @@ impl Lowering<'_, '_> {
 
     /// Returns the value of a `&mut T` to a place: the index of an array's element. Any other place is its own
     /// lender, with index 0.
-    fn element_value(&mut self, mut place: Place, id: StructId, site: Site) -> Result<Expr> {
+    fn element_value(&mut self, place: Place, id: StructId, site: Site) -> Result<Expr> {
         if place.ty == Type::Struct(id) {
             return Ok(place.load());
         }
         if self.type_behind(Type::Struct(id)) != place.ty {
             return problem(site, "this is not what is lent here", OUR_FAULT);
         }
-        // Rust looks at its indices here.
-        self.fix(&mut place);
         let one = Expr::usize(1, place.span);
         let mut base = place.clone();
         let step = base.steps.pop();

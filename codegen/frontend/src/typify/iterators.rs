@@ -157,8 +157,7 @@ impl Lowering<'_, '_> {
     pub(super) fn own_iterator(&mut self, expr: &tree::Expr) -> Result<Place> {
         let (of, before) = (self.itself(expr), self.locals.len());
         let place = match self.place(of)? {
-            Some(mut place) => {
-                self.fix(&mut place);
+            Some(place) => {
                 match self.locals[place.root.index()].mode {
                     // A value was copied from there.
                     Mode::Ref => self.own_copy(place.load()),

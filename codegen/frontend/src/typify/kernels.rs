@@ -64,8 +64,7 @@ impl Lowering<'_, '_> {
             function.parameters().iter().map(|local| (local.mode, local.ty.clone())).collect();
         let (mut passed, mut back) = (Vec::new(), Vec::new());
         for (argument, (mode, ty)) in arguments.iter().zip(parameters) {
-            let mut place = self.base(argument)?;
-            self.fix(&mut place);
+            let place = self.base(argument)?;
             let place = match place.ty {
                 Type::Matrix { rows, cols, .. } if place.ty != ty => {
                     let columns = self.mutable_place("columns", self.zero(&ty, place.span));
@@ -176,11 +175,7 @@ impl Lowering<'_, '_> {
         for value in values {
             operands.push(match value.is_literal() {
                 true => value,
-                false => {
-                    let mut place = self.hold(value);
-                    self.fix(&mut place);
-                    place.load()
-                }
+                false => self.hold(value).load(),
             });
         }
         let span = self.span(site);

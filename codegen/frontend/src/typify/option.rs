@@ -67,8 +67,7 @@ impl Lowering<'_, '_> {
     /// Lowers `take` and `replace`: returns the old value, and stores `None` or the new one.
     fn exchanged(&mut self, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
         let span = self.span(expr.site);
-        let mut place = self.place(&arguments[0])?.or_refused(expr.site, refusals::PLACE)?;
-        self.fix(&mut place);
+        let place = self.place(&arguments[0])?.or_refused(expr.site, refusals::PLACE)?;
         let id = struct_of(&place.ty, expr.site, "an `Option`")?;
         let next = match arguments.get(1) {
             None => self.choice(id, 0, None, expr.site)?,

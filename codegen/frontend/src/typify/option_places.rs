@@ -48,7 +48,7 @@ impl Lowering<'_, '_> {
     pub(super) fn option_lent(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         match self.builtin_call(expr) {
             Some((Builtin::Option(OptionMethod::AsMut), [option])) => {
-                self.settled(option).map(Some)
+                self.option_place(option).map(Some)
             }
             _ => Ok(None),
         }
@@ -103,11 +103,7 @@ impl Lowering<'_, '_> {
             return self.tried_element(tried);
         }
         let (meaning, span) = (self.lookup(TRIED, tried.site)?, self.span(tried.site));
-        let mut place = self.place_of(&meaning, span);
-        if let Some(place) = &mut place {
-            self.fix(place);
-        }
-        Ok(place)
+        Ok(self.place_of(&meaning, span))
     }
 
     /// Returns the element to which `result?` refers, for a `Result<&mut T, E>`; none for another expression.
@@ -123,15 +119,8 @@ impl Lowering<'_, '_> {
         self.element_lent(&held, tried.site)
     }
 
-    /// Returns a place whose indices are evaluated and checked now, so that later writes do not change it.
-    fn settled(&mut self, expr: &tree::Expr) -> Result<Place> {
-        match self.place(expr)? {
-            Some(mut place) => {
-                self.fix(&mut place);
-                Ok(place)
-            }
-            None => refused(expr.site, refusals::PLACE),
-        }
+    fn option_place(&mut self, option: &tree::Expr) -> Result<Place> {
+        self.place(option)?.or_refused(option.site, refusals::PLACE)
     }
 
     /// Stores a value, or a closure's result, into an `Option`. Only `insert` replaces an existing payload.
@@ -143,7 +132,7 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
     ) -> Result<Place> {
         let unless = method != OptionMethod::Insert;
-        let place = self.settled(option)?;
+        let place = self.option_place(option)?;
         let (id, span) = (struct_of(&place.ty, expr.site, "an `Option`")?, self.span(expr.site));
         let Some((is_there, Some(there))) = self.present(&place, false) else {
             return refused(expr.site, refusals::EMPTY_OPTION);

@@ -1,7 +1,8 @@
 //! Order of evaluation.
 //!
-//! The IR evaluates an expression at its place in a statement, and statements that a later operand needs come before
-//! that statement. So earlier operands that these statements could change are first held in locals.
+//! Operands, arguments and indices are held in locals where Rust evaluates them, and [`fuse`] substitutes them again.
+//!
+//! Invariant: the indices that lead to a place are atoms, and are checked where Rust evaluates the place.
 
 use std::cell::RefCell;
 use std::collections::HashSet;
@@ -135,52 +136,38 @@ impl Lowering<'_, '_> {
         place
     }
 
-    fn atomize(&mut self, role: &str, value: &mut Expr) {
-        *value = self.atom(role, value.clone());
-    }
-
     /// Makes a temporary the author's: it may be renamed and written. Returns true if it was a temporary.
     pub(super) fn release(&mut self, local: LocalId) -> bool {
         self.atoms.remove(&local);
         self.held.remove(&local)
     }
 
-    /// Makes a place independent of later writes: its indices are evaluated and checked now.
-    pub(super) fn fix(&mut self, place: &mut Place) {
-        indices_mut(place).for_each(|index| self.atomize(words::INDEX, index));
-        self.check_steps(place, 0);
-    }
-
-    /// Evaluates and checks the indices of the last step to a place.
-    pub(super) fn fix_last(&mut self, place: &mut Place) {
-        let Some(last) = place.steps.len().checked_sub(1) else { return };
-        let indices = place.steps[last].indices_mut();
-        indices.for_each(|index| self.atomize(words::INDEX, index));
-        self.check_steps(place, last);
-    }
-
-    /// Checks the indices of the steps to a place from step `first` on.
-    fn check_steps(&mut self, place: &Place, first: usize) {
-        // What is referred to was looked at where that was chosen.
-        if self.stands(place.root) {
-            return;
+    /// Evaluates and checks the indices of the last step to a place, as Rust does where the step is written. So no later
+    /// write moves the place.
+    pub(super) fn indexed(&mut self, mut place: Place) -> Place {
+        let Some(mut last) = place.steps.pop() else { return place };
+        for index in last.indices_mut() {
+            *index = self.atom(words::INDEX, index.clone());
         }
-        for (at, step) in place.steps.iter().enumerate().skip(first) {
-            let lengths = match (step, self.type_of(place.root, &place.steps[..at])) {
-                (Step::Field(_), Type::Struct(_)) => Vec::new(),
-                (Step::Index(_), Type::Array { len, .. }) => vec![len],
-                (Step::Index(_), Type::Matrix { rows, cols, .. }) => vec![rows * cols],
-                (Step::Element(..), Type::Matrix { rows, cols, .. }) => vec![rows, cols],
-                // A slice has looked already.
-                _ => return,
-            };
-            let moving = |(index, _): &(&Expr, u32)| !matches!(index.kind, ExprKind::Literal(_));
-            for (index, len) in step.indices().zip(lengths).filter(moving) {
-                let len = Expr::literal_like(u64::from(len), index);
-                let condition = Expr::compare(CompareOp::Lt, index.clone(), len);
-                self.emit(StmtKind::Check { condition, fault: Fault::Index }, index.span);
-            }
+        let lengths = match self.type_of(place.root, &place.steps) {
+            // What is referred to was looked at where that was chosen.
+            _ if self.stands(place.root) => Vec::new(),
+            Type::Array { len, .. } => vec![len],
+            Type::Matrix { rows, cols, .. } => match last {
+                Step::Element(..) => vec![rows, cols],
+                _ => vec![rows * cols],
+            },
+            // A slice has looked already.
+            _ => Vec::new(),
+        };
+        let moving = |(index, _): &(&Expr, u32)| !matches!(index.kind, ExprKind::Literal(_));
+        for (index, len) in last.indices().zip(lengths).filter(moving) {
+            let len = Expr::literal_like(u64::from(len), index);
+            let condition = Expr::compare(CompareOp::Lt, index.clone(), len);
+            self.emit(StmtKind::Check { condition, fault: Fault::Index }, index.span);
         }
+        place.steps.push(last);
+        place
     }
 }
 
@@ -262,10 +249,6 @@ fn is_quiet_but_for(expr: &Expr, allowed: impl Fn(&Place) -> bool) -> bool {
 /// Returns the indices that lead to a place.
 pub(super) fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
     place.steps.iter().flat_map(Step::indices)
-}
-
-fn indices_mut(place: &mut Place) -> impl Iterator<Item = &mut Expr> {
-    place.steps.iter_mut().flat_map(Step::indices_mut)
 }
 
 /// Returns true if a value may be read more than once: it is a literal, or a place with fields only.

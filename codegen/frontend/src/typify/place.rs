@@ -154,7 +154,7 @@ impl Lowering<'_, '_> {
         problem(expr.site, format!("`{name}` is not a supported field"), "use an index")
     }
 
-    fn element(&mut self, mut base: Place, index: &tree::Expr, span: Span) -> Result<Place> {
+    fn element(&mut self, base: Place, index: &tree::Expr, span: Span) -> Result<Place> {
         let whole = base.ty.clone();
         let ty = match &whole {
             Type::Array { element, .. } => (**element).clone(),
@@ -164,14 +164,11 @@ impl Lowering<'_, '_> {
             }
             _ => return refused(Site(span.line, span.column), refusals::INDEXED),
         };
-        self.fix(&mut base);
         let step = match &whole {
             Type::Matrix { .. } => self.matrix_step(index, &whole, span)?,
             _ => Step::Index(self.value(index, Some(&Type::USIZE))?),
         };
-        let mut place = Place { span, ..base.inside(step, ty) };
-        self.fix_last(&mut place);
-        Ok(place)
+        Ok(self.indexed(Place { span, ..base.inside(step, ty) }))
     }
 
     pub(super) fn matrix_step(
@@ -296,7 +293,12 @@ impl Lowering<'_, '_> {
         {
             return Ok(());
         }
-        let mut place = value.map_or(Ok(None), |value| self.place(value))?;
+        let naming = match value.map(|value| &bare(value).kind) {
+            Some(tree::ExprKind::Call(..) | tree::ExprKind::Try(..)) => self.naming.clone(),
+            _ => name.trim_matches('_').to_owned(),
+        };
+        let mut place =
+            value.map_or(Ok(None), |value| self.naming_as(naming, |inner| inner.place(value)))?;
         let exclusive = self.slot_is_exclusive(slot, site)?;
         let called = |value: &tree::Expr| matches!(value.kind, tree::ExprKind::Apply(..));
         let lent = value.filter(|value| lends(value) || called(value) && !exclusive);
@@ -310,7 +312,6 @@ impl Lowering<'_, '_> {
             // A reference that a value holds is a copy there; the value may get another.
             place = self.hold_copy(name, place);
         }
-        self.naming_as(name.trim_matches('_'), |inner| inner.fix(&mut place));
         self.bind(name, Value::Place(place));
         Ok(())
     }

@@ -225,9 +225,7 @@ impl<'a> Lowering<'a, '_> {
     fn placed(&mut self, called: Called<'a, '_>, site: Site) -> Result<Place> {
         self.expanded(called, site, |inner, tail| {
             let tail = tail.or_refused(called.0.tree.site, refusals::LENDS_NOTHING)?;
-            let mut place = inner.place(tail)?.or_refused(tail.site, refusals::LENT_PLACE)?;
-            inner.fix(&mut place);
-            Ok(place)
+            inner.place(tail)?.or_refused(tail.site, refusals::LENT_PLACE)
         })
     }
 
@@ -262,7 +260,6 @@ impl<'a> Lowering<'a, '_> {
                 if !written && self.is_loan(&place) && !self.is_lasting(&place) {
                     place = self.hold_copy(name, place);
                 }
-                self.fix(&mut place);
                 return Ok(Value::Place(place));
             }
             // A value of its own, `table.clone()` too.

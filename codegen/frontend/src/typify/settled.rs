@@ -162,8 +162,7 @@ impl<'a> Lowering<'a, '_> {
         let given = match self.slice(elements)? {
             Some(slice) => Value::Slice(Box::new(self.kept_elements(slice))),
             None => {
-                let mut place = self.base(elements)?;
-                self.fix(&mut place);
+                let place = self.base(elements)?;
                 match (owned || self.is_loan(&place)) && !self.held.contains(&place.root) {
                     true => self.own("items%", place.load(), None),
                     false => Value::Place(place),

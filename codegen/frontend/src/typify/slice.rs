@@ -100,9 +100,7 @@ impl Lowering<'_, '_> {
         if let Some(slice) = self.slice(expr)? {
             return Ok(slice);
         }
-        let mut place = self.base(expr)?;
-        // Whether anything is asked of the elements or not.
-        self.fix(&mut place);
+        let place = self.base(expr)?;
         let reason = why(self, &place.ty);
         self.all_of(place).or_refused(expr.site, reason)
     }
@@ -248,7 +246,7 @@ impl Lowering<'_, '_> {
     ) -> Result<Place> {
         let index = self.value(index, Some(&Type::USIZE))?;
         if slice.whole {
-            return Ok(Place { span, ..slice.at(index) });
+            return Ok(self.indexed(Place { span, ..slice.at(index) }));
         }
         let index = self.atom(words::INDEX, index);
         self.check_index(&index, CompareOp::Lt, &slice.length, span);

@@ -84,15 +84,12 @@ impl Lowering<'_, '_> {
             self.discard(value);
             return Value::Nothing;
         }
-        let mut place = self.hold(value);
-        // Its indices are checked also where no pattern comes to read it.
-        self.fix(&mut place);
-        Value::Place(place)
+        Value::Place(self.hold(value))
     }
 
-    /// Copies the parts that later statements could change; a borrowed part remains an alias with fixed indices.
+    /// Copies the parts that later statements could change; a borrowed part remains an alias.
     fn settle_subject(&mut self, subject: &mut Value, expr: &tree::Expr, later: &[Stmt]) {
-        self.settle_parts((subject, expr), later, &|place| {
+        self.settle_parts((subject, expr), &|place| {
             !later.is_empty() && !is_settled(&place.load(), later)
         });
     }
@@ -105,44 +102,35 @@ impl Lowering<'_, '_> {
         later: &[Stmt],
     ) {
         let written = effects::writes(later);
-        self.settle_parts((subject, expr), later, &|place| is_among(place, &written));
+        self.settle_parts((subject, expr), &|place| is_among(place, &written));
     }
 
-    /// Fixes the indices of borrowed parts, and copies each other part for which `changes` is true. The remaining
-    /// parts are aliases.
-    fn settle_parts(
-        &mut self,
-        both: (&mut Value, &tree::Expr),
-        later: &[Stmt],
-        changes: &dyn Fn(&Place) -> bool,
-    ) {
-        self.value_parts(both, later, &mut |inner, place| {
+    /// Copies each part that is no reference and for which `changes` is true. The remaining parts are aliases.
+    fn settle_parts(&mut self, both: (&mut Value, &tree::Expr), changes: &dyn Fn(&Place) -> bool) {
+        self.value_parts(both, &mut |inner, place| {
             if changes(place) {
                 *place = inner.temporary_place(words::SELECTOR, place.load());
             }
         });
     }
 
-    /// Fixes the indices of borrowed parts, and calls `change` for each other part.
+    /// Calls `change` for each part that is no reference.
     pub(super) fn value_parts(
         &mut self,
         (subject, expr): (&mut Value, &tree::Expr),
-        later: &[Stmt],
         change: &mut dyn FnMut(&mut Self, &mut Place),
     ) {
         match (subject, &expr.kind) {
             (Value::Tuple(parts, _), Tree::Tuple(exprs)) => {
                 for both in parts.iter_mut().zip(exprs) {
-                    self.value_parts(both, later, change);
+                    self.value_parts(both, change);
                 }
             }
             (Value::Tuple(parts, _), _) => {
-                parts.iter_mut().for_each(|part| self.value_parts((part, expr), later, change));
+                parts.iter_mut().for_each(|part| self.value_parts((part, expr), change));
             }
             // One that holds a reference is a value: another may come to stand there.
-            (Value::Place(place), _) if self.is_lent(expr) && !self.is_loan(place) => {
-                later.first().inspect(|_| self.fix(place));
-            }
+            (Value::Place(place), _) if self.is_lent(expr) && !self.is_loan(place) => {}
             (Value::Place(place), _) => change(self, place),
             _ => {}
         }
@@ -185,7 +173,7 @@ impl Placeholder {
         expr: &tree::Expr,
     ) -> Vec<Placeholder> {
         let mut all = Vec::new();
-        lowering.value_parts((subject, expr), &[], &mut |inner, place| {
+        lowering.value_parts((subject, expr), &mut |inner, place| {
             let placeholder = Placeholder::of(inner, place.clone());
             *place = placeholder.stands();
             all.push(placeholder);

@@ -65,9 +65,8 @@ impl<'a> Lowering<'a, '_> {
         let outer = match self.submatrix(matrix)? {
             Some(outer) => outer,
             None => {
-                let mut place = self.base(matrix)?;
+                let place = self.base(matrix)?;
                 let Type::Matrix { element, rows, cols } = place.ty else { return Ok(None) };
-                self.fix(&mut place);
                 let (row, column) = (Expr::usize(0, span), Expr::usize(0, span));
                 Submatrix { matrix: place, row, column, element, rows, cols }
             }
@@ -186,10 +185,7 @@ impl<'a> Lowering<'a, '_> {
             return self.each_of_part(part, span, |at, _| (at, value.clone()));
         }
         let place = match value.kind {
-            ExprKind::Load(mut place) if place.root != part.matrix.root => {
-                self.fix(&mut place);
-                place
-            }
+            ExprKind::Load(place) if place.root != part.matrix.root => place,
             _ => self.temporary_place("part", value),
         };
         self.each_of_part(part, span, |at, step| {

@@ -140,10 +140,7 @@ impl Lowering<'_, '_> {
             Tree::Ref(_, inner) | Tree::Deref(inner) => self.effect(inner)?,
             Tree::Field(base, _) if self.holds_nothing(base) => self.effect(base)?,
             // Its indices are looked at.
-            Tree::Field(base, _) => {
-                let mut base = self.base(base)?;
-                self.fix(&mut base);
-            }
+            Tree::Field(base, _) => _ = self.base(base)?,
             Tree::Struct(_, fields, rest) => {
                 for (_, value) in fields {
                     self.effect(value)?;
