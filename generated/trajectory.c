@@ -26,11 +26,11 @@ bool trajectory_is_sound(const trajectory_t *self, const space_t *space)
     double before = -1.0;
     for (uint32_t n = 0U; n < TRAJECTORY_MAX_POINTS; n++) {
         if (n < self->count) {
-            const set_point_t point = self->points[n];
-            const bool later = point.time > before && point.time >= 0.0
-                && point.time <= space->latest;
-            sound = sound && later && set_point_is_inside(&point, space);
-            before = point.time;
+            const set_point_t *const point = &self->points[n];
+            const bool later = point->time > before && point->time >= 0.0
+                && point->time <= space->latest;
+            sound = sound && later && set_point_is_inside(point, space);
+            before = point->time;
         }
     }
     return sound;

@@ -3,6 +3,7 @@
 //! | module | what it measures |
 //! |---|---|
 //! | [`check_cost`] | what the attributes add to `cargo check` of a model |
+//! | [`dsp`] | blocks, filters and predictive control beside CMSIS-DSP, Eigen and TinyMPC |
 //! | [`generation`] | how long a generation takes, by the number of functions |
 //! | [`kernels`] | generated kernels against handwritten C and the libraries |
 //! | [`rebuild`] | what the attributes add to a rebuild of the corpus |
@@ -21,6 +22,7 @@ pub mod accuracy_points;
 pub mod check_cost;
 pub mod count;
 pub mod crates;
+pub mod dsp;
 pub mod elementary;
 pub mod equality;
 pub mod generation;

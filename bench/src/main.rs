@@ -1,7 +1,7 @@
 //! `cargo xtask bench`: runs the measurements and writes their results.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 use bench::check_cost::{self, Size};
@@ -9,7 +9,7 @@ use bench::kernels::reasons::Reasons;
 use bench::kernels::results::Results;
 use bench::kernels::{machine, plot, report, run, stored};
 use bench::{
-    accuracy_points, elementary, equality, generation, long, onboard, rebuild, shapes, threads,
+    accuracy_points, dsp, elementary, equality, generation, long, onboard, rebuild, shapes, threads,
 };
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -37,6 +37,9 @@ struct Arguments {
     /// Points of each function for `equality` and `accuracy-points`
     #[arg(long, default_value_t = 10_000_000)]
     points: u32,
+    /// Folder with the repositories `CMSIS-DSP` and `TinyMPC`, for `dsp`
+    #[arg(long)]
+    peers: Option<PathBuf>,
 }
 
 /// The measurements.
@@ -58,6 +61,8 @@ enum Part {
     Shapes,
     /// Instructions of a control period of the onboard software on the Cortex-A9
     Onboard,
+    /// Blocks, filters and predictive control beside CMSIS-DSP, Eigen and TinyMPC
+    Dsp,
     /// Large kernels on one thread and on two
     Threads,
     /// The elementary functions on ten million points each, on every leg: a quarter of an hour
@@ -83,7 +88,7 @@ const AGAIN: &str = "measured again";
 /// A measurement: prints its table and, unless it is a short run, writes its results.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
-const PARTS: [(Part, Measurement); 11] = [
+const PARTS: [(Part, Measurement); 12] = [
     (Part::Kernels, kernels),
     (Part::Elementary, elementary),
     (Part::CheckCost, check_cost),
@@ -92,6 +97,7 @@ const PARTS: [(Part, Measurement); 11] = [
     (Part::Long, long),
     (Part::Shapes, of_shapes),
     (Part::Onboard, onboard),
+    (Part::Dsp, of_dsp),
     (Part::Threads, on_threads),
     (Part::Equality, equality),
     (Part::AccuracyPoints, on_accuracy_points),
@@ -281,6 +287,19 @@ fn onboard(arguments: &Arguments) -> Result<(), String> {
     let rows = onboard::measure(if arguments.quick { 2.0 } else { f64::INFINITY })?;
     println!("{}", onboard::table(&rows));
     arguments.write("onboard", &onboard::json(&rows))
+}
+
+fn of_dsp(arguments: &Arguments) -> Result<(), String> {
+    let found = dsp::measure(arguments.peers.as_deref())?;
+    let json = dsp::json(&found);
+    let page = dsp::page::markdown(&json);
+    println!("{page}");
+    if arguments.peers.is_none() {
+        eprintln!("nothing is written without `--peers FOLDER`");
+        return Ok(());
+    }
+    arguments.write("dsp", &json)?;
+    if arguments.quick { Ok(()) } else { put("dsp.md", &page) }
 }
 
 fn on_threads(arguments: &Arguments) -> Result<(), String> {

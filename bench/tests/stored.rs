@@ -6,6 +6,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use bench::crates::page;
+use bench::dsp;
 use bench::kernels::machine::{A9, HOST_V3};
 use bench::kernels::reasons::{Reasons, unsettled};
 use bench::kernels::results::Results;
@@ -58,6 +59,22 @@ fn the_page_of_crates_says_what_the_json_has() {
         found == text,
         "docs/crates.md is stale: UPDATE_DOCS=1 cargo test -p bench --test stored"
     );
+}
+
+#[test]
+fn the_page_of_blocks_says_what_the_json_has() {
+    let text = fs::read_to_string(file("dsp.json")).expect("results are committed");
+    let json: Value = serde_json::from_str(&text).expect("JSON");
+    let names: Vec<&str> = dsp::jobs::JOBS.iter().map(|job| job.name).collect();
+    let found = json["jobs"].as_array().expect("jobs").iter();
+    let found: Vec<&str> = found.filter_map(|job| job["job"].as_str()).collect();
+    assert_eq!(found, names, "dsp.json has other jobs");
+    let page = dsp::page::markdown(&json);
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        fs::write(file("dsp.md"), &page).expect("bench/results is there");
+    }
+    let found = fs::read_to_string(file("dsp.md")).expect("it is committed");
+    assert!(found == page, "dsp.md is stale: UPDATE_DOCS=1 cargo test -p bench --test stored");
 }
 
 fn reasons() -> Reasons {

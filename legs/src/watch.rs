@@ -62,23 +62,47 @@ pub fn watched(
     sources: &[PathBuf],
     input: &[u8],
 ) -> Result<Watched, String> {
-    let failed = |error: io::Error| error.to_string();
     // Emitted files can be called anything.
     let own = folder.join("watch");
-    std::fs::create_dir_all(&own).map_err(failed)?;
-    let file = |name: &str| own.join(name);
+    std::fs::create_dir_all(&own).map_err(|error| error.to_string())?;
     let mut sources = sources.to_vec();
-    if toolchain.bare {
-        let start = file("semihosting.c");
-        std::fs::write(&start, SEMIHOSTING).map_err(failed)?;
-        sources.push(start);
-    }
-    let program = file("watched");
+    sources.extend(start(toolchain, &own)?);
+    let program = own.join("watched");
     toolchain.around(main, &sources, &program, &[])?;
+    counted(toolchain, &own, &program, input)
+}
+
+/// Writes the startup code of a program without an operating system into a folder; none if the toolchain needs none.
+///
+/// # Errors
+///
+/// The message of the system.
+pub fn start(toolchain: &Toolchain, folder: &Path) -> Result<Option<PathBuf>, String> {
+    let start = folder.join("semihosting.c");
+    match toolchain.bare {
+        true => std::fs::write(&start, SEMIHOSTING).map_err(|error| error.to_string())?,
+        false => return Ok(None),
+    }
+    Ok(Some(start))
+}
+
+/// Runs a program in `folder` on these input bytes, and counts its instructions.
+///
+/// # Errors
+///
+/// The message of the compiler, the emulator or the system, or a timeout.
+pub fn counted(
+    toolchain: &Toolchain,
+    folder: &Path,
+    program: &Path,
+    input: &[u8],
+) -> Result<Watched, String> {
+    let failed = |error: io::Error| error.to_string();
+    let file = |name: &str| folder.join(name);
     std::fs::write(file("words.in"), input).map_err(failed)?;
-    let plugin = plugin(&own)?.display().to_string();
-    let mut command = toolchain.runner_with(&program, &["-plugin", &plugin]);
-    command.current_dir(&own);
+    let plugin = plugin(folder)?.display().to_string();
+    let mut command = toolchain.runner_with(program, &["-plugin", &plugin]);
+    command.current_dir(folder);
     if toolchain.bare {
         command.stdin(Stdio::null()).stdout(Stdio::null());
     } else {

@@ -14,7 +14,7 @@ use std::path::Path;
 fn needs(only: Option<&str>) -> &'static [Need] {
     match only {
         None | Some("kernels") => &[Need::Everything, Need::Host, Need::Target, Need::Bench],
-        Some("onboard" | "equality" | "accuracy-points") => {
+        Some("onboard" | "dsp" | "equality" | "accuracy-points") => {
             &[Need::Everything, Need::Host, Need::Target]
         }
         Some("threads") => &[Need::Host],
@@ -47,6 +47,9 @@ pub fn run(root: &Path, wanted: &Bench, machine: &dyn Machine) -> Result<Outcome
     }
     if let Some(points) = wanted.points {
         command.args(["--points", &points.to_string()]);
+    }
+    if let Some(peers) = &wanted.peers {
+        command.args(["--peers", peers]);
     }
     let status = stages::attached(&mut command)?;
     Ok(if status.success() { Outcome::Good } else { Outcome::Bad })

@@ -6,9 +6,10 @@
 
 use std::collections::BTreeMap;
 
-use bessemer_ir::visit::{Visit, Walk, walk_block};
+use bessemer_ir::visit::{Visit, Walk, walk_block, walk_stmt};
 use bessemer_ir::{
-    Block, Expr, ExprKind, Function, LocalId, Mode, Module, Place, Step, Stmt, StmtKind, Type,
+    BinaryOp, Block, Expr, ExprKind, Function, LocalId, Mode, Module, Place, Step, Stmt, StmtKind,
+    Type,
 };
 
 use bessemer_ir::effects::{mentions, overlap, writes, writes_local};
@@ -22,7 +23,7 @@ pub(crate) fn uncopied(
     function: &Function,
     flat: bool,
 ) -> BTreeMap<LocalId, Place> {
-    let mut names = Names { module, function, flat, found: BTreeMap::new() };
+    let mut names = Names { module, function, flat, counters: Vec::new(), found: BTreeMap::new() };
     names.block(&function.body);
     names.found
 }
@@ -85,6 +86,8 @@ struct Names<'m> {
     module: &'m Module,
     function: &'m Function,
     flat: bool,
+    /// Counters of the surrounding loops, which nothing else writes.
+    counters: Vec<LocalId>,
     found: BTreeMap<LocalId, Place>,
 }
 
@@ -95,12 +98,23 @@ impl Visit for Names<'_> {
                 && let ExprKind::Load(place) = &value.kind
                 && self.is_wanted(*local)
                 && let Some(place) = self.resolved(place)
-                && holds_still(*local, &place, &block.0[index + 1..])
+                && self.holds_still(*local, &place, &block.0[index + 1..])
             {
                 self.found.insert(*local, place);
             }
         }
         walk_block(self, block);
+    }
+
+    fn stmt(&mut self, stmt: &Stmt) {
+        match &stmt.kind {
+            StmtKind::For { variable, body, .. } if !writes_local(body, *variable) => {
+                self.counters.push(*variable);
+                walk_stmt(self, stmt);
+                self.counters.pop();
+            }
+            _ => walk_stmt(self, stmt),
+        }
     }
 }
 
@@ -120,11 +134,36 @@ impl Names<'_> {
             && !writes_local(&self.function.body, id)
     }
 
+    /// Returns true if nothing writes a place while a local may be read.
+    fn holds_still(&self, local: LocalId, place: &Place, rest: &[Stmt]) -> bool {
+        let Some(last) = rest.iter().rposition(|stmt| mentions(stmt, local)) else { return false };
+        let meets =
+            |written: &Place| overlap(written, place) && !self.differ_by_counter(written, place);
+        !writes(&rest[..=last]).iter().any(meets)
+    }
+
+    /// Returns true if two places in one pass of a loop are different elements, since different numbers are added to its counter.
+    fn differ_by_counter(&self, one: &Place, other: &Place) -> bool {
+        let mut steps = one.steps.iter().zip(&other.steps);
+        steps.any(|steps| match steps {
+            (Step::Index(one), Step::Index(other)) => match (counted(one), counted(other)) {
+                (Some((one, by)), Some((other, of))) => {
+                    one == other && by != of && self.counters.contains(&one)
+                }
+                _ => false,
+            },
+            _ => false,
+        })
+    }
+
     /// Returns a place with aliases in it resolved; none if its indices might change.
     fn resolved(&self, place: &Place) -> Option<Place> {
         let still = |step: &Step| match step {
             Step::Field(_) => true,
-            Step::Index(index) => matches!(index.kind, ExprKind::Literal(_)),
+            Step::Index(index) => {
+                index.is_literal()
+                    || counted(index).is_some_and(|(local, _)| self.counters.contains(&local))
+            }
             _ => false,
         };
         if !place.steps.iter().all(still) {
@@ -136,8 +175,16 @@ impl Names<'_> {
     }
 }
 
-/// Returns true if nothing writes a place while a local may be read.
-fn holds_still(local: LocalId, place: &Place, rest: &[Stmt]) -> bool {
-    let Some(last) = rest.iter().rposition(|stmt| mentions(stmt, local)) else { return false };
-    !writes(&rest[..=last]).iter().any(|written| overlap(written, place))
+/// Returns the counter that an index is, and the number that is added to it.
+fn counted(index: &Expr) -> Option<(LocalId, i128)> {
+    match &index.kind {
+        ExprKind::Load(place) if place.steps.is_empty() => Some((place.root, 0)),
+        ExprKind::Binary(op @ (BinaryOp::Add | BinaryOp::Sub), of, by) => {
+            let (local, before) = counted(of)?;
+            let ExprKind::Literal(word) = by.kind else { return None };
+            let by = by.ty.as_int()?.from_word(word);
+            Some((local, if *op == BinaryOp::Add { before + by } else { before - by }))
+        }
+        _ => None,
+    }
 }

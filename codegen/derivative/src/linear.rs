@@ -4,7 +4,7 @@ use bessemer_ir::{Expr, ExprKind, Routine, Span, StmtKind, Type};
 
 use crate::run::Run;
 use crate::value::{Value, Word};
-use crate::{Result, float};
+use crate::{Problem, Result, float};
 
 /// A matrix by columns.
 struct Matrix {
@@ -125,6 +125,13 @@ impl Run<'_> {
                     self.sub(left, right)
                 })
                 .collect(),
+            Routine::Abs | Routine::Inf | Routine::Sup | Routine::Amax | Routine::Amin => {
+                return Err(Problem::new(
+                    span,
+                    "magnitudes and extremes of a matrix have no derivative yet",
+                    "write them by elements: `abs`, `min` and `max` of numbers have one",
+                ));
+            }
             Routine::NormSquared => vec![self.norm_squared(a, span)],
             Routine::Norm => {
                 let square = self.norm_squared(a, span);

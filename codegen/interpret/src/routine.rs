@@ -25,6 +25,7 @@ pub(super) trait Real:
     fn of(word: u64) -> Self;
     fn word(self) -> u64;
     fn root(self) -> Self;
+    fn magnitude(self) -> Self;
 }
 
 impl Real for f64 {
@@ -40,6 +41,9 @@ impl Real for f64 {
     fn root(self) -> f64 {
         self.sqrt()
     }
+    fn magnitude(self) -> f64 {
+        self.abs()
+    }
 }
 
 impl Real for f32 {
@@ -54,6 +58,9 @@ impl Real for f32 {
     }
     fn root(self) -> f32 {
         self.sqrt()
+    }
+    fn magnitude(self) -> f32 {
+        self.abs()
     }
 }
 
@@ -113,6 +120,9 @@ fn compute<R: Real>(
         Routine::ComponentMul => each::<R>(memory, len, a.at, b.at, out, |x, y| x * y),
         Routine::ComponentDiv => each::<R>(memory, len, a.at, b.at, out, |x, y| x / y),
         Routine::Neg => each::<R>(memory, len, a.at, a.at, out, |x, _| -x),
+        Routine::Abs => each::<R>(memory, len, a.at, a.at, out, |x, _| x.magnitude()),
+        Routine::Inf => each::<R>(memory, len, a.at, b.at, out, lower),
+        Routine::Sup => each::<R>(memory, len, a.at, b.at, out, upper),
         Routine::Scale => scaled::<R>(memory, len, a.at, b.at, out, |x, s| x * s),
         Routine::Unscale => scaled::<R>(memory, len, a.at, b.at, out, |x, s| x / s),
         Routine::Product => product::<R>(memory, a, b, out),
@@ -129,6 +139,8 @@ fn compute<R: Real>(
         Routine::Cross => cross::<R>(memory, a.at, b.at, out),
         Routine::NormSquared => memory[out] = norm_squared::<R>(memory, a).word(),
         Routine::Norm => memory[out] = norm_squared::<R>(memory, a).root().word(),
+        Routine::Amax => memory[out] = extreme::<R>(memory, len, a.at, upper).word(),
+        Routine::Amin => memory[out] = extreme::<R>(memory, len, a.at, lower).word(),
         Routine::Transpose => unreachable!("done before"),
     }
 }
@@ -145,6 +157,22 @@ fn each<R: Real>(
         let value = op(R::of(memory[a + index]), R::of(memory[b + index]));
         memory[out + index] = value.word();
     }
+}
+
+/// Returns the larger of two; the second if they are unordered.
+fn upper<R: Real>(x: R, y: R) -> R {
+    if x >= y { x } else { y }
+}
+
+/// Returns the smaller of two; the second if they are unordered.
+fn lower<R: Real>(x: R, y: R) -> R {
+    if x <= y { x } else { y }
+}
+
+/// Chooses among the magnitudes of `len` elements, in their order.
+fn extreme<R: Real>(memory: &[u64], len: usize, a: usize, choose: fn(R, R) -> R) -> R {
+    let magnitude = |index: usize| R::of(memory[a + index]).magnitude();
+    (1..len).fold(magnitude(0), |chosen, index| choose(chosen, magnitude(index)))
 }
 
 fn scaled<R: Real>(

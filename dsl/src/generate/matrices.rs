@@ -90,6 +90,13 @@ companions! {
         fn __b_magnitude_squared(&self) -> T = NormSquared;
         fn __b_component_mul(&self, _other: &Self) -> Self = ComponentMul: Linear(Routine::ComponentMul);
         fn __b_component_div(&self, _other: &Self) -> Self = ComponentDiv: Linear(Routine::ComponentDiv);
+        fn __b_inf(&self, _other: &Self) -> Self = Inf: Linear(Routine::Inf);
+        fn __b_sup(&self, _other: &Self) -> Self = Sup: Linear(Routine::Sup);
+        fn __b_abs(&self) -> Self = Abs: Linear(Routine::Abs);
+        fn __b_amax(&self) -> T = Amax: Linear(Routine::Amax);
+        fn __b_camax(&self) -> T = Amax;
+        fn __b_amin(&self) -> T = Amin: Linear(Routine::Amin);
+        fn __b_camin(&self) -> T = Amin;
     }
     /// Constructor of the identity matrix.
     impl[T: ScalarType + Scalar, const R: usize, const C: usize] IdentityBuiltin<T, R, C> for SMatrix<T, R, C> {

@@ -8,17 +8,6 @@ use crate::{function, library};
 
 #[library(ElementwiseCompanions)]
 impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
-    /// The magnitude of each element.
-    pub fn abs(a: &Self) -> Self {
-        let mut magnitudes = *a;
-        for column in 0..C {
-            for row in 0..R {
-                magnitudes[(row, column)] = a[(row, column)].abs();
-            }
-        }
-        magnitudes
-    }
-
     /// Each element plus `b`.
     pub fn add_scalar(a: &Self, b: T) -> Self {
         a + SMatrix::<T, R, C>::from_element(b)

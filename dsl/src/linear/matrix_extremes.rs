@@ -51,30 +51,6 @@ impl<T: Number, const R: usize, const C: usize> SMatrix<T, R, C> {
 
 #[library(ExtremeCompanions)]
 impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
-    /// The largest magnitude.
-    #[method(amax, camax)]
-    pub fn amax(a: &Self) -> T {
-        let mut largest = a[(0, 0)].abs();
-        for column in 0..C {
-            for row in 0..R {
-                largest = upper(largest, a[(row, column)].abs());
-            }
-        }
-        largest
-    }
-
-    /// The smallest magnitude.
-    #[method(amin, camin)]
-    pub fn amin(a: &Self) -> T {
-        let mut smallest = a[(0, 0)].abs();
-        for column in 0..C {
-            for row in 0..R {
-                smallest = lower(smallest, a[(row, column)].abs());
-            }
-        }
-        smallest
-    }
-
     /// The row and the column of the largest magnitude.
     #[method(iamax_full, icamax_full)]
     pub fn iamax_full(a: &Self) -> (usize, usize) {
@@ -92,31 +68,9 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         place
     }
 
-    /// The smaller element of each pair.
-    pub fn inf(a: &Self, b: &Self) -> Self {
-        let mut smaller = *a;
-        for column in 0..C {
-            for row in 0..R {
-                smaller[(row, column)] = lower(a[(row, column)], b[(row, column)]);
-            }
-        }
-        smaller
-    }
-
-    /// The larger element of each pair.
-    pub fn sup(a: &Self, b: &Self) -> Self {
-        let mut larger = *a;
-        for column in 0..C {
-            for row in 0..R {
-                larger[(row, column)] = upper(a[(row, column)], b[(row, column)]);
-            }
-        }
-        larger
-    }
-
     /// The smaller and the larger element of each pair.
     pub fn inf_sup(a: &Self, b: &Self) -> (Self, Self) {
-        (inf(a, b), sup(a, b))
+        (a.inf(b), a.sup(b))
     }
 }
 

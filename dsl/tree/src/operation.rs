@@ -147,6 +147,12 @@ pub enum Routine {
     ComponentMul,
     /// `a.component_div(&b)`.
     ComponentDiv,
+    /// `a.inf(&b)`: of each pair the first if it is at most the second, else the second.
+    Inf,
+    /// `a.sup(&b)`: of each pair the first if it is at least the second, else the second.
+    Sup,
+    /// `a.abs()` of elements.
+    Abs,
     /// `a * b`: per output the first product, then k ascending `y = a_k * b_k + y`.
     Product,
     /// `a.tr_mul(&b)`: per output the `dot` of a column of `a` and a column of `b`.
@@ -161,4 +167,8 @@ pub enum Routine {
     Norm,
     /// `a.norm_squared()`: the sum over columns (from 0) of `dot(c, c)`.
     NormSquared,
+    /// `a.amax()`: `sup` of the magnitudes, by columns.
+    Amax,
+    /// `a.amin()`: `inf` of the magnitudes, by columns.
+    Amin,
 }

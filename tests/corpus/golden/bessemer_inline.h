@@ -1756,16 +1756,6 @@ static inline double matrix_extremes_lower_f64(double a, double b)
 }
 
 /** The larger of two; the second if they are unordered. */
-static inline float matrix_extremes_upper_f32(float a, float b)
-{
-    if (a >= b) {
-        return a;
-    } else {
-        return b;
-    }
-}
-
-/** The larger of two; the second if they are unordered. */
 static inline int32_t matrix_extremes_upper_i32(int32_t a, int32_t b)
 {
     if (a >= b) {

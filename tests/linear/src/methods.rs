@@ -18,6 +18,11 @@ macro_rules! sizes {
                 bounds(a: [&] [M], b: [&] [M]) -> [(M, M)] { (a.inf(b), a.sup(b)) }
                 both_bounds(a: [&] [M], b: [&] [M]) -> [(M, M)] { a.inf_sup(b) }
                 absolute(a: [&] [M]) -> [M] { a.abs() }
+                bounded_sum(a: [&] [M], b: [&] [M]) -> [M] { (a + b).sup(&-b).inf(a) }
+                extremes_of_sums(a: [&] [M], b: [&] [M]) -> [($real, $real)] {
+                    ((a - b).amax(), (a + b.abs() * 2.0).amin())
+                }
+                largest_of_transposed(a: [&] [Square]) -> [$real] { (a + a.transpose()).amax() }
                 places(v: [&] [Column]) -> [((usize, $real), (usize, $real))] { (v.argmax(), v.argmin()) }
                 indices(v: [&] [Column]) -> [(usize, usize, usize, usize, usize)] {
                     (v.imax(), v.imin(), v.iamax(), v.icamax(), v.iamin())

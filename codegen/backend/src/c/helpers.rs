@@ -85,8 +85,14 @@ pub enum Helper {
     Flag,
     /// Sign of a float.
     Signum(Float),
+    /// First of two numbers if it is at most the second, else the second.
+    Lower(Float),
+    /// First of two numbers if it is at least the second, else the second.
+    Upper(Float),
     /// Scalar product of the columns of two matrices.
     Dot(Float),
+    /// Scalar product of two columns of 8 to 15 elements.
+    DotOf(Float, u8),
     /// Sum of the squares of a matrix's elements.
     NormSquared(Float),
 }
@@ -168,7 +174,10 @@ impl Helper {
             Helper::SwapBytes(int) => format!("swap_bytes_{}", int.name()),
             Helper::Flag => "u8_from_bool".to_owned(),
             Helper::Signum(float) => format!("signum_{}", float.name()),
+            Helper::Lower(float) => format!("lower_{}", float.name()),
+            Helper::Upper(float) => format!("upper_{}", float.name()),
             Helper::Dot(float) => format!("dot_{}", float.name()),
+            Helper::DotOf(float, rows) => format!("dot_{}_{rows}", float.name()),
             Helper::NormSquared(float) => format!("norm_squared_{}", float.name()),
         }
     }
@@ -212,8 +221,8 @@ impl Helper {
             Helper::Convert { from, to } => conversions::convert(&name, from, to),
             Helper::Min(Scalar::Float(float)) => extreme(&name, float, "smaller", "<", "!="),
             Helper::Max(Scalar::Float(float)) => extreme(&name, float, "larger", ">", "=="),
-            Helper::Min(ty) => choose(&name, ty, "smaller", "<"),
-            Helper::Max(ty) => choose(&name, ty, "larger", ">"),
+            Helper::Min(ty) => choose(&name, ty, "smaller of two integers", "<"),
+            Helper::Max(ty) => choose(&name, ty, "larger of two integers", ">"),
             Helper::Clamp(ty) => clamp(&name, ty),
             Helper::Abs(int) => absolute(&name, int),
             Helper::Xor(int) => integers::exclusive(&name, int),
@@ -241,11 +250,17 @@ impl Helper {
             Helper::SwapBytes(int) => integers::swap_bytes(&name, int),
             Helper::Flag => flag(&name, copy),
             Helper::Signum(float) => floats::signum(&name, float),
-            Helper::Dot(float) => dot(&name, float),
-            Helper::NormSquared(float) => norm_squared(&name, float),
+            Helper::Lower(float) => ordered(&name, float, "smaller", "<="),
+            Helper::Upper(float) => ordered(&name, float, "larger", ">="),
+            Helper::Dot(float) => floats::dot(&name, float),
+            Helper::DotOf(float, rows) => floats::dot_of(&name, float, rows),
+            Helper::NormSquared(float) => floats::norm_squared(&name, float),
         }
     }
 }
+
+/// Numbers of terms of which a scalar product has one block of eight lanes, and perhaps further terms.
+pub const ONE_BLOCK: std::ops::Range<u8> = 8..16;
 
 /// Returns true if a helper function has this name. No other function or variable may have it, in any file.
 pub fn is_helper_name(name: &str) -> bool {
@@ -275,12 +290,14 @@ fn all() -> impl Iterator<Item = Helper> {
         |int| Helper::FromFloat(int, Float::F32),
     ];
     let from_double = |int| Helper::FromFloat(int, Float::F64);
-    let of_float: [fn(Float) -> Helper; 7] = [
+    let of_float: [fn(Float) -> Helper; 9] = [
         Helper::Bits,
         Helper::RawBits,
         Helper::FromBits,
         Helper::Copysign,
         Helper::Signum,
+        Helper::Lower,
+        Helper::Upper,
         Helper::Dot,
         Helper::NormSquared,
     ];
@@ -293,6 +310,11 @@ fn all() -> impl Iterator<Item = Helper> {
         .chain(conversions::all())
         .chain([Helper::Flag])
         .chain(Int::ALL.map(from_double))
+        .chain(
+            floats
+                .into_iter()
+                .flat_map(|float| ONE_BLOCK.map(move |rows| Helper::DotOf(float, rows))),
+        )
         .chain(of_float.into_iter().flat_map(move |helper| floats.map(helper)))
         .chain(scalars.flat_map(move |scalar| of_either.map(|helper| helper(scalar))))
 }
@@ -345,12 +367,17 @@ static inline {ty} {name}({ty} a, {ty} b)
 fn choose(name: &str, scalar: Scalar, word: &str, op: &str) -> String {
     let ty = scalar_type(scalar);
     format!(
-        "/* The {word} of two integers. */
+        "/* The {word}. */
 static inline {ty} {name}({ty} a, {ty} b)
 {{
     return a {op} b ? a : b;
 }}"
     )
+}
+
+fn ordered(name: &str, float: Float, word: &str, op: &str) -> String {
+    let word = format!("{word} of two numbers; the second if one is NaN");
+    choose(name, Scalar::Float(float), &word, op)
 }
 
 fn clamp(name: &str, scalar: Scalar) -> String {
@@ -519,61 +546,6 @@ fn copysign(name: &str, float: Float) -> String {
 static inline {ty} {name}({ty} size, {ty} sign)
 {{
     return isnan(sign) != 0 ? fabs{f}(size) : copysign{f}(size, sign);
-}}"
-    )
-}
-
-fn dot(name: &str, float: Float) -> String {
-    let ty = float_type(float);
-    let zero = if float == Float::F32 { "0.0F" } else { "0.0" };
-    let mut lanes = String::new();
-    for lane in 1..8 {
-        lanes.push_str(&format!("            lane[{lane}] += a[i + {lane}U] * b[i + {lane}U];\n"));
-    }
-    let zeros = [zero; 8].join(", ");
-    format!(
-        "/* The scalar product of two matrices by columns, in eight lanes and in nalgebra's order. */
-static inline {ty} {name}(const {ty} *a, const {ty} *b, uint32_t rows, uint32_t columns)
-{{
-    {ty} sum = {zero};
-    for (uint32_t column = 0U; column < columns; column++) {{
-        {ty} lane[8] = {{{zeros}}};
-        const uint32_t end = (column + 1U) * rows;
-        uint32_t i = column * rows;
-        for (; end - i >= 8U; i += 8U) {{
-            lane[0] += a[i] * b[i];
-{lanes}        }}
-        sum += lane[0] + lane[4];
-        sum += lane[1] + lane[5];
-        sum += lane[2] + lane[6];
-        sum += lane[3] + lane[7];
-        for (; i < end; i++) {{
-            sum += a[i] * b[i];
-        }}
-    }}
-    return sum;
-}}"
-    )
-}
-
-fn norm_squared(name: &str, float: Float) -> String {
-    let ty = float_type(float);
-    let zero = if float == Float::F32 { "0.0F" } else { "0.0" };
-    let dot = Helper::Dot(float).name();
-    format!(
-        "/* The sum of the squares of a matrix, column by column and in nalgebra's order. */
-static inline {ty} {name}(const {ty} *a, uint32_t rows, uint32_t columns)
-{{
-    {ty} sum = {zero};
-    for (uint32_t column = 0U; column < columns; column++) {{
-        const {ty} *x = &a[column * rows];
-        if (rows == 4U) {{
-            sum += (x[0] * x[0] + x[2] * x[2]) + (x[1] * x[1] + x[3] * x[3]);
-        }} else {{
-            sum += {dot}(x, x, rows, 1U);
-        }}
-    }}
-    return sum;
 }}"
     )
 }

@@ -56,15 +56,25 @@ pub(crate) fn elementwise(routine: Routine) -> bool {
         | Routine::Scale
         | Routine::Unscale
         | Routine::ComponentMul
-        | Routine::ComponentDiv => true,
+        | Routine::ComponentDiv
+        | Routine::Inf
+        | Routine::Sup
+        | Routine::Abs => true,
         Routine::Product
         | Routine::TrMul
         | Routine::Transpose
         | Routine::Dot
         | Routine::Cross
         | Routine::Norm
-        | Routine::NormSquared => false,
+        | Routine::NormSquared
+        | Routine::Amax
+        | Routine::Amin => false,
     }
+}
+
+/// Returns true if a routine chooses among the elements of its operand, so that an element-wise operand may nest.
+pub(crate) fn reduces(routine: Routine) -> bool {
+    matches!(routine, Routine::Amax | Routine::Amin)
 }
 
 /// Returns true if a routine is the product of a column and a row, which may nest since each element is one product.

@@ -2,7 +2,7 @@
 
 use bessemer_ir::{Argument, Expr, ExprKind, Function, Mode, Role, Routine, UnaryOp};
 
-use super::places::{elementwise, outer};
+use super::places::{elementwise, outer, reduces};
 use crate::late::{self, Early};
 
 /// Position of an expression in a statement.
@@ -100,7 +100,9 @@ pub(crate) fn operand(parent: &ExprKind, operand: &Expr) -> Position {
     match parent {
         ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Matrix(_) => Position::Part,
         ExprKind::Splat(_) => Position::Repeated,
-        ExprKind::Routine(routine, _) if elementwise(*routine) && operand.ty.is_aggregate() => {
+        ExprKind::Routine(routine, _)
+            if (elementwise(*routine) || reduces(*routine)) && operand.ty.is_aggregate() =>
+        {
             Position::Elementwise
         }
         ExprKind::Routine(Routine::Product, _) => Position::Factor,

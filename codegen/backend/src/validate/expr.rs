@@ -362,7 +362,8 @@ fn intrinsic(function: Intrinsic, operands: &[Expr]) -> Checked {
 
 fn routine(what: Routine, operands: &[Expr]) -> Checked {
     let count = match what {
-        Routine::Neg | Routine::Transpose | Routine::Norm | Routine::NormSquared => 1,
+        Routine::Neg | Routine::Abs | Routine::Transpose => 1,
+        Routine::Norm | Routine::NormSquared | Routine::Amax | Routine::Amin => 1,
         _ => 2,
     };
     counted(count, operands)?;
@@ -390,6 +391,7 @@ fn shape(what: Routine, first: &Type, second: Option<&Type>) -> Option<Type> {
     match what {
         Routine::Add | Routine::Sub => alike(first),
         Routine::ComponentMul | Routine::ComponentDiv => alike(first),
+        Routine::Inf | Routine::Sup => alike(first),
         Routine::Scale | Routine::Unscale => {
             (second == Some(&Type::Scalar(element))).then(|| first.clone())
         }
@@ -406,8 +408,9 @@ fn shape(what: Routine, first: &Type, second: Option<&Type>) -> Option<Type> {
             _ => None,
         },
         Routine::Dot => alike(&Type::Scalar(element)),
-        Routine::Neg => Some(first.clone()),
+        Routine::Neg | Routine::Abs => Some(first.clone()),
         Routine::Transpose => matrix(cols, rows),
         Routine::Norm | Routine::NormSquared => Some(Type::Scalar(element)),
+        Routine::Amax | Routine::Amin => Some(Type::Scalar(element)),
     }
 }

@@ -394,7 +394,7 @@ impl Generator<'_> {
             4 | 5 => Routine::Scale,
             6 => Routine::Product,
             7 => Routine::TrMul,
-            _ => Routine::Add,
+            _ => [Routine::Add, Routine::Sup, Routine::Inf][span.line as usize % 3],
         };
         let mut operands = vec![self.value(&MATRIX, less)];
         match routine {

@@ -2,14 +2,16 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Role, Site};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, LogicOp, Routine, Scalar, Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, KernelRoutine, LogicOp, Routine, Scalar, Span,
+    Type, UnaryOp,
 };
 
 use super::expand::is_ours;
 use super::function::takes_closures;
+use super::kernels::{kernel_of, matrix_of_factors};
 use super::lengths::plus;
 use super::lowering::Lowering;
-use super::syntax::{control_with_value, is_question, numbered};
+use super::syntax::{bare, control_with_value, is_question, numbered};
 use super::words;
 use super::{Needed, OUR_FAULT, Result, literal, problem, refusals, refused};
 
@@ -485,6 +487,19 @@ impl Lowering<'_, '_> {
                 }
                 if let Some(value) = self.shorter(path, Call { arguments, expr })? {
                     return Ok(value);
+                }
+                if let [factors, b] = arguments
+                    && self.cx.by_columns
+                    && let Some(a) = matrix_of_factors(function, self.called(bare(factors)))
+                {
+                    let types = [self.type_alone(a)?, self.type_alone(b)?];
+                    let kernel = kernel_of(KernelRoutine::Solve, &types);
+                    let kernel = kernel.needed(expr.site, "this takes matrices of floats")?;
+                    let option = self.slot_of(expr)?;
+                    let none = self.zero(&option, Span::default());
+                    let kernel = self.cx.kernel(&kernel);
+                    let id = self.cx.solving(kernel, none);
+                    return self.call_function(id, &[a.clone(), b.clone()], expr);
                 }
                 if let Some(answer) = self.order_asked(path, arguments, expr.site)? {
                     return Ok(answer);

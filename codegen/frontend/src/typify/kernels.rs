@@ -1,22 +1,45 @@
 //! Routines of linear algebra: a call of a kernel if the routine has its own function. Routines on integer matrices
 //! are loops over their elements, in which each operation is checked as for scalars.
 //!
+//! `a.lu().solve(&b)` is solved by the kernel that keeps no factors, with the bits of the factors' method.
+//!
 //! The order of operations is nalgebra's: a product adds its terms in the order of the columns of its left factor.
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    Argument, BinaryOp, Expr, ExprKind, FunctionId, Kernel, KernelRoutine, Mode, Place, Routine,
-    Scalar, Step, StmtKind, Type, UnaryOp,
+    Argument, BinaryOp, Block, Expr, ExprKind, Function, FunctionId, Kernel, KernelRoutine, Local,
+    LocalId, Mode, Place, Role, Routine, Scalar, Span, Step, Stmt, StmtKind, Type, UnaryOp,
+    effects,
 };
 
+use super::call::Called;
 use super::lengths::size;
 use super::lowering::Lowering;
 use super::words;
 use super::{Context, Needed, OUR_FAULT, Result, problem};
 
+/// Module of the factors whose solution is a kernel.
+const FACTORS: &str = "bessemer::linear::factored::lu";
+/// The function of that module which factors a matrix.
+const FACTORED: &str = "bessemer::linear::factored::lu::factored";
+/// The method of that module which solves by the factors.
+const SOLVED: &str = "bessemer::linear::factored::lu::solve";
+
+/// Returns the matrix whose factors a call computes, if `solves` is a solution by them.
+pub(super) fn matrix_of_factors<'t>(
+    solves: Option<&tree::Function>,
+    factors: Option<Called<'_, 't>>,
+) -> Option<&'t tree::Expr> {
+    let name = |it: &tree::Function| format!("{}::{}", it.module, it.tree.name);
+    match factors? {
+        (factored, [a]) if name(factored) == FACTORED && name(solves?) == SOLVED => Some(a),
+        _ => None,
+    }
+}
+
 impl Context<'_> {
     /// Returns the function of a kernel, which is added to the module at its first use.
-    fn kernel(&mut self, kernel: &Kernel) -> FunctionId {
+    pub(super) fn kernel(&mut self, kernel: &Kernel) -> FunctionId {
         let known = |function: &bessemer_ir::Function| function.kernel.as_ref() == Some(kernel);
         let index = self.module.functions.iter().position(known).unwrap_or_else(|| {
             let function = match self.by_columns {
@@ -27,6 +50,55 @@ impl Context<'_> {
             self.module.functions.len() - 1
         });
         FunctionId(index as u32)
+    }
+
+    /// Returns the function that solves with a kernel, and returns an option that is `none` for a singular matrix. It
+    /// is added to the module at its first use.
+    pub(super) fn solving(&mut self, kernel: FunctionId, none: Expr) -> FunctionId {
+        let solver = &self.module.functions[kernel.index()];
+        let name = solver.name.clone();
+        let result_name = solver.result_name.clone();
+        let parameters: Vec<Local> = solver.parameters().to_vec();
+        let [a, b] = &parameters[..] else { return kernel };
+        let is_known = |it: &Function| it.module == FACTORS && it.name == name;
+        if let Some(known) = self.module.functions.iter().position(is_known) {
+            return FunctionId(known as u32);
+        }
+        let solution = Local { mode: Mode::Value, ..b.clone() };
+        let locals = vec![a.clone(), Local { mode: Mode::Ref, ..b.clone() }, solution];
+        let (a, b) = (&a.ty, &b.ty);
+        let nowhere = Span::default();
+        let read = |index: u32, ty: &Type| Expr::local(LocalId(index), ty, nowhere);
+        let mut place = effects::whole(LocalId(2));
+        place.ty = b.clone();
+        let solve = vec![Argument::Ref(read(0, a)), Argument::RefMut(place)];
+        let solves = Expr { kind: ExprKind::Call(kernel, solve), ty: Type::BOOL, span: nowhere };
+        let parts = vec![Expr::bool(true, nowhere), read(2, b)];
+        let some = Expr { kind: ExprKind::Struct(parts), ..none.clone() };
+        let result = none.ty.clone();
+        let returned = |value| Block(vec![Stmt::new(StmtKind::Return(Some(value)), nowhere)]);
+        let body = vec![
+            StmtKind::Let { local: LocalId(2), value: Some(read(1, b)) },
+            StmtKind::If { condition: solves, then: returned(some), otherwise: returned(none) },
+        ];
+        self.module.functions.push(Function {
+            name,
+            module: FACTORS.to_owned(),
+            owner: None,
+            role: Role::Public,
+            attributes: Default::default(),
+            docs: vec![
+                "The solution for each column of `b`; none for a singular matrix.".to_owned(),
+            ],
+            params: 2,
+            locals,
+            result,
+            result_name,
+            body: Block(body.into_iter().map(|kind| Stmt::new(kind, nowhere)).collect()),
+            kernel: None,
+            span: nowhere,
+        });
+        FunctionId(self.module.functions.len() as u32 - 1)
     }
 }
 
@@ -252,7 +324,9 @@ fn result(routine: Routine, values: &[Expr]) -> Option<Type> {
     let last = || Some(shape(&values.get(1)?.ty)?.2);
     Some(match routine {
         Routine::Transpose => matrix(cols, rows),
-        Routine::Dot | Routine::Norm | Routine::NormSquared => Type::Scalar(element),
+        Routine::Dot | Routine::Norm | Routine::NormSquared | Routine::Amax | Routine::Amin => {
+            Type::Scalar(element)
+        }
         Routine::TrMul => matrix(cols, last()?),
         Routine::Product => matrix(rows, last()?),
         _ => matrix(rows, cols),
@@ -260,7 +334,7 @@ fn result(routine: Routine, values: &[Expr]) -> Option<Type> {
 }
 
 /// Returns the kernel of a routine for operands of these types, with the dimensions that [`KernelRoutine`] documents.
-fn kernel_of(routine: KernelRoutine, types: &[Type]) -> Option<Kernel> {
+pub(super) fn kernel_of(routine: KernelRoutine, types: &[Type]) -> Option<Kernel> {
     use KernelRoutine as R;
     let (Scalar::Float(element), rows, cols) = shape(types.first()?)? else { return None };
     let dims = match (routine, types) {

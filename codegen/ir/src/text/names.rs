@@ -175,6 +175,9 @@ table! {
     "unscale" => Routine::Unscale,
     "component_mul" => Routine::ComponentMul,
     "component_div" => Routine::ComponentDiv,
+    "inf" => Routine::Inf,
+    "sup" => Routine::Sup,
+    "magnitudes" => Routine::Abs,
     "product" => Routine::Product,
     "tr_mul" => Routine::TrMul,
     "transpose" => Routine::Transpose,
@@ -182,6 +185,8 @@ table! {
     "cross" => Routine::Cross,
     "norm" => Routine::Norm,
     "norm_squared" => Routine::NormSquared,
+    "amax" => Routine::Amax,
+    "amin" => Routine::Amin,
 }
 
 table! {

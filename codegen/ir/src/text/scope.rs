@@ -78,7 +78,9 @@ fn routine(what: Routine, first: &Type, second: Option<&Type>) -> Option<Type> {
         Routine::Product => Type::Matrix { element, rows, cols: second_cols()? },
         Routine::TrMul => Type::Matrix { element, rows: cols, cols: second_cols()? },
         Routine::Transpose => Type::Matrix { element, rows: cols, cols: rows },
-        Routine::Dot | Routine::Norm | Routine::NormSquared => Type::Scalar(element),
+        Routine::Dot | Routine::Norm | Routine::NormSquared | Routine::Amax | Routine::Amin => {
+            Type::Scalar(element)
+        }
         _ => first.clone(),
     })
 }

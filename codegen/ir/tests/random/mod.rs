@@ -429,6 +429,9 @@ impl Source<'_> {
             R::Unscale,
             R::ComponentMul,
             R::ComponentDiv,
+            R::Inf,
+            R::Sup,
+            R::Abs,
             R::Product,
             R::TrMul,
             R::Transpose,
@@ -436,6 +439,8 @@ impl Source<'_> {
             R::Cross,
             R::Norm,
             R::NormSquared,
+            R::Amax,
+            R::Amin,
         ];
         match self.below(18) {
             0 | 1 => ExprKind::Literal(self.word()),

@@ -20,12 +20,15 @@ uint64_t extremes_worst(const double error[3])
 void extremes_within(const double command[3], const double low[3], const double high[3],
     double result[BESSEMER_RESTRICT 3])
 {
-    double result_a[3];
-    matrix_extremes_sup_f64_3_1(command, low, result_a);
-    matrix_extremes_inf_f64_3_1(result_a, high, result);
+    result[0] = lower_f64(upper_f64(command[0], low[0]), high[0]);
+    result[1] = lower_f64(upper_f64(command[1], low[1]), high[1]);
+    result[2] = lower_f64(upper_f64(command[2], low[2]), high[2]);
 }
 
 void extremes_magnitudes(const float a[4], float result[BESSEMER_RESTRICT 4])
 {
-    elementwise_abs_f32_2_2(a, result);
+    result[0 + 2 * 0] = fabsf(a[0 + 2 * 0]);
+    result[1 + 2 * 0] = fabsf(a[1 + 2 * 0]);
+    result[0 + 2 * 1] = fabsf(a[0 + 2 * 1]);
+    result[1 + 2 * 1] = fabsf(a[1 + 2 * 1]);
 }

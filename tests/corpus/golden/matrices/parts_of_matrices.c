@@ -5,7 +5,11 @@
 void parts_of_matrices_off(const double turn[9], double result[BESSEMER_RESTRICT 2])
 {
     result[0] = parts_trace_f64_3(turn) - 3.0;
-    result[1] = matrix_extremes_amax_f64_3_3(turn);
+    double largest = fabs(turn[0 + 3 * 0]);
+    for (uint32_t i = 1U; i < 9U; i++) {
+        largest = upper_f64(largest, fabs(turn[i]));
+    }
+    result[1] = largest;
 }
 
 void parts_of_matrices_learn(double information[BESSEMER_RESTRICT 9], const double x[3],

@@ -4,7 +4,7 @@
 
 double scalar_products_filtered(const double taps[10], const double values[10])
 {
-    return dot_f64(taps, values, 10U, 1U);
+    return dot_f64_10(taps, values);
 }
 
 void scalar_products_information(const double jacobian[6], double result[BESSEMER_RESTRICT 4])

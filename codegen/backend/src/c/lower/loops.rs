@@ -102,8 +102,8 @@ impl Lower<'_> {
 
     /// Emits a loop that its body ends; a test at its beginning becomes the condition of the `while`.
     pub(super) fn while_(&mut self, body: &Block) {
-        let (condition, first) = match body.head() {
-            Some(end) => (self.negated(end), 1),
+        let (condition, first) = match body.head().and_then(|end| self.condition(end)) {
+            Some(condition) => (condition, 1),
             None => (Expr::name("true"), 0),
         };
         let origin = self.origin;
@@ -111,6 +111,13 @@ impl Lower<'_> {
         let body = self.scope(|lower| lower.block_into(&rest, false));
         self.origin = origin;
         self.emit(StmtKind::While { condition, body });
+    }
+
+    /// Returns the negation of a condition, unless it needs statements, which a loop would have to repeat.
+    fn condition(&mut self, end: &Ir) -> Option<Expr> {
+        let mut condition = None;
+        let before = self.scope(|lower| condition = Some(lower.negated(end)));
+        condition.filter(|_| before.is_empty())
     }
 
     fn finish(&mut self, counter: Declarator, head: Head, body: &Block) {

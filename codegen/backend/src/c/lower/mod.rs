@@ -17,6 +17,7 @@ mod extents;
 mod fill;
 mod loops;
 mod numbers;
+mod numbers_of_matrices;
 mod place;
 mod range;
 mod routine;

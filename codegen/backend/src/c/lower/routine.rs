@@ -7,7 +7,6 @@ use bessemer_ir::kernel::{DOTS_WRITTEN_OUT, WRITTEN_OUT};
 use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Place, Routine, Scalar, Type};
 
 use super::super::helpers::Helper;
-use super::super::literal;
 use super::super::matrices::Layout;
 use super::super::tree::{Expr, Init, Lines, StmtKind};
 use super::Lower;
@@ -15,17 +14,15 @@ use super::place::shape;
 use bessemer_ir::effects::reads_place;
 
 /// Largest number of elements for which an element-wise routine is written out.
-const ELEMENTS: u32 = 4;
+pub(super) const ELEMENTS: u32 = 4;
 /// Largest number of elements of a product that are all computed before one is stored.
 const BESIDE: u32 = 16;
 /// Largest number of elements for which a transposition is written out.
 const MOVES: u32 = 16;
-/// Largest number of terms for which a scalar product is written out.
-const TERMS: u32 = 8;
 
 /// A stored matrix, used as it is or transposed.
 #[derive(Clone)]
-struct Stored {
+pub(super) struct Stored {
     layout: Layout,
     matrix: Expr,
     shape: (u32, u32),
@@ -47,7 +44,7 @@ impl Stored {
 }
 
 /// Nested element-wise routines as one expression per element.
-enum Fused {
+pub(super) enum Fused {
     Matrix(Stored),
     /// Product of a column and a row.
     Outer(Stored, Stored),
@@ -55,10 +52,13 @@ enum Fused {
     Scalar(Expr),
     Binary(BinaryOp, Box<Fused>, Box<Fused>),
     Neg(Box<Fused>),
+    Abs(Box<Fused>),
+    /// One of two elements, by a helper.
+    Chosen(Helper, Box<Fused>, Box<Fused>),
 }
 
 /// Selection of an element.
-enum At<'e> {
+pub(super) enum At<'e> {
     Fixed(u32, u32),
     /// By its index in memory.
     Counted(&'e Expr),
@@ -67,15 +67,15 @@ enum At<'e> {
 
 /// A column of a matrix.
 #[derive(Clone)]
-struct Column {
-    layout: Layout,
-    matrix: Expr,
-    shape: (u32, u32),
-    index: u32,
+pub(super) struct Column {
+    pub layout: Layout,
+    pub matrix: Expr,
+    pub shape: (u32, u32),
+    pub index: u32,
 }
 
 impl Column {
-    fn element(&self, row: u32) -> Expr {
+    pub(super) fn element(&self, row: u32) -> Expr {
         self.layout.element(self.matrix.clone(), self.shape, row, self.index)
     }
 }
@@ -251,6 +251,13 @@ impl Lower<'_> {
             Routine::Scale | Routine::ComponentMul => BinaryOp::Mul,
             Routine::Unscale | Routine::ComponentDiv => BinaryOp::Div,
             Routine::Neg => return Fused::Neg(Box::new(self.fuse_operand(&operands[0], place))),
+            Routine::Abs => return Fused::Abs(Box::new(self.fuse_operand(&operands[0], place))),
+            Routine::Inf | Routine::Sup => {
+                let element = float(shape(&operands[0].ty).0);
+                let left = self.fuse_operand(&operands[0], place);
+                let right = self.fuse_operand(&operands[1], place);
+                return Fused::Chosen(chooser(routine, element), Box::new(left), Box::new(right));
+            }
             Routine::Product => {
                 return Fused::Outer(self.stored(&operands[0]), self.stored(&operands[1]));
             }
@@ -261,7 +268,7 @@ impl Lower<'_> {
         Fused::Binary(op, Box::new(left), Box::new(right))
     }
 
-    fn fuse_operand(&mut self, operand: &Ir, place: Option<&Place>) -> Fused {
+    pub(super) fn fuse_operand(&mut self, operand: &Ir, place: Option<&Place>) -> Fused {
         if operand.ty.is_word() {
             return Fused::Scalar(self.once("factor", operand, place));
         }
@@ -287,7 +294,7 @@ impl Lower<'_> {
         Stored { layout, matrix: self.operand(inner), shape: (rows, cols), transposed }
     }
 
-    fn fused_element(&mut self, fused: &Fused, scalar: Scalar, at: &At<'_>) -> Expr {
+    pub(super) fn fused_element(&mut self, fused: &Fused, scalar: Scalar, at: &At<'_>) -> Expr {
         let ty = Type::Scalar(scalar);
         match (fused, at) {
             (Fused::Scalar(value), _) => value.clone(),
@@ -312,6 +319,15 @@ impl Lower<'_> {
             (Fused::Neg(inner), _) => {
                 let inner = self.fused_element(inner, scalar, at);
                 super::word::narrowed(&ty, Expr::unary("-", inner))
+            }
+            (Fused::Abs(inner), _) => {
+                let inner = self.fused_element(inner, scalar, at);
+                self.math("fabs", float(scalar), vec![inner])
+            }
+            (Fused::Chosen(helper, left, right), _) => {
+                let left = self.fused_element(left, scalar, at);
+                let right = self.fused_element(right, scalar, at);
+                self.helper(*helper, vec![left, right])
             }
             (Fused::Binary(op, left, right), _) => {
                 let left = self.fused_element(left, scalar, at);
@@ -419,126 +435,24 @@ impl Lower<'_> {
             });
         });
     }
-
-    /// Returns `a.dot(&b)`.
-    pub(super) fn dot_product(&mut self, a: &Ir, b: &Ir) -> Expr {
-        let (scalar, rows, cols) = shape(&a.ty);
-        let (left, right) = (self.operand(a), self.operand(b));
-        let shape = (rows, cols);
-        if cols == 1 && (2..=4).contains(&rows) {
-            let layout = self.context.names.layout;
-            let column = |matrix| Column { layout, matrix, shape, index: 0 };
-            return self.dot_columns(float(scalar), &column(left), &column(right));
-        }
-        if rows >= TERMS || rows * cols > TERMS {
-            let sides = [left, right].map(|matrix| self.columns(matrix, scalar, shape));
-            return self.dot_call(float(scalar), sides, shape);
-        }
-        let layout = self.context.names.layout;
-        let each = (0..cols).flat_map(|column| (0..rows).map(move |row| (row, column)));
-        let terms = each.map(|(row, column)| {
-            let left = layout.element(left.clone(), shape, row, column);
-            Expr::binary("*", left, layout.element(right.clone(), shape, row, column))
-        });
-        terms.fold(zero(float(scalar)), |sum, term| Expr::binary("+", sum, term))
-    }
-
-    /// Returns `a.norm_squared()`: the scalar products of the columns with themselves, summed from zero. These
-    /// products are never −0, so adding zero is not observable.
-    pub(super) fn norm_squared(&mut self, a: &Ir) -> Expr {
-        let (scalar, rows, cols) = shape(&a.ty);
-        let matrix = self.operand(a);
-        if cols == 1 {
-            let layout = self.context.names.layout;
-            let column = Column { layout, matrix, shape: (rows, cols), index: 0 };
-            return self.dot_columns(float(scalar), &column, &column);
-        }
-        let number = |value: u32| Expr::name(format!("{value}U"));
-        let matrix = self.columns(matrix, scalar, (rows, cols));
-        self.helper(Helper::NormSquared(float(scalar)), vec![matrix, number(rows), number(cols)])
-    }
-
-    /// Returns the scalar product of two columns.
-    fn dot_columns(&mut self, float: Float, a: &Column, b: &Column) -> Expr {
-        let rows = a.shape.0;
-        if rows >= TERMS {
-            let starts = [a, b].map(|column| {
-                if !column.layout.has_columns(column.shape) {
-                    let index = number(column.index);
-                    return self.column(&column.matrix, Scalar::Float(float), column.shape, &index);
-                }
-                match column.index {
-                    0 => column.matrix.clone(),
-                    _ => column.element(0).address(),
-                }
-            });
-            return self.dot_call(float, starts, (rows, 1));
-        }
-        let terms = (0..rows).map(|row| Expr::binary("*", a.element(row), b.element(row)));
-        if (2..=4).contains(&rows) {
-            return small_dot(terms.collect());
-        }
-        terms.fold(zero(float), |sum, term| Expr::binary("+", sum, term))
-    }
-
-    /// Returns a matrix by columns: itself, or a copy if its layout differs.
-    fn columns(&mut self, matrix: Expr, scalar: Scalar, shape: (u32, u32)) -> Expr {
-        let layout = self.context.names.layout;
-        if layout.has_columns(shape) {
-            return matrix;
-        }
-        let name = self.fresh("columns");
-        self.declare(&Layout::Rows.array(scalar, (shape.0 * shape.1, 1)), &name, None, false);
-        self.count_from("column", 0, shape.1, |lower, column| {
-            lower.count_from("row", 0, shape.0, |lower, row| {
-                let to = Layout::Columns.at(Expr::name(&name), shape, row.clone(), column.clone());
-                lower.assign(to, layout.at(matrix, shape, row, column));
-            });
-        });
-        Expr::name(name)
-    }
-
-    /// Returns a copy of a column whose elements are not adjacent.
-    fn column(&mut self, matrix: &Expr, scalar: Scalar, shape: (u32, u32), index: &Expr) -> Expr {
-        let layout = self.context.names.layout;
-        let name = self.fresh("column");
-        self.declare(&Layout::Rows.array(scalar, (shape.0, 1)), &name, None, false);
-        self.count_from("row", 0, shape.0, |lower, row| {
-            let from = layout.at(matrix.clone(), shape, row.clone(), index.clone());
-            lower.assign(Expr::name(&name).at(row), from);
-        });
-        Expr::name(name)
-    }
-
-    fn dot_call(&mut self, float: Float, [a, b]: [Expr; 2], (rows, cols): (u32, u32)) -> Expr {
-        let number = |value: u32| Expr::name(format!("{value}U"));
-        self.helper(Helper::Dot(float), vec![a, b, number(rows), number(cols)])
-    }
-}
-
-/// Sums two, three or four terms in nalgebra's order.
-fn small_dot(terms: Vec<Expr>) -> Expr {
-    let add = |a, b| Expr::binary("+", a, b);
-    match <[Expr; 4]>::try_from(terms) {
-        Ok([a, b, c, d]) => add(add(a, c), add(b, d)),
-        Err(terms) => terms.into_iter().reduce(add).expect("two or three terms"),
-    }
 }
 
 impl Fused {
     /// Returns true if one index addresses all operands.
-    fn is_flat(&self) -> bool {
+    pub(super) fn is_flat(&self) -> bool {
         match self {
             Fused::Matrix(stored) => stored.is_flat(),
             Fused::Outer(..) => false,
             Fused::Scalar(_) => true,
-            Fused::Binary(_, left, right) => left.is_flat() && right.is_flat(),
-            Fused::Neg(inner) => inner.is_flat(),
+            Fused::Binary(_, left, right) | Fused::Chosen(_, left, right) => {
+                left.is_flat() && right.is_flat()
+            }
+            Fused::Neg(inner) | Fused::Abs(inner) => inner.is_flat(),
         }
     }
 }
 
-fn number(value: u32) -> Expr {
+pub(super) fn number(value: u32) -> Expr {
     Expr::name(value.to_string())
 }
 
@@ -557,16 +471,32 @@ fn is_element_wise(routine: Routine) -> bool {
             | Routine::Unscale
             | Routine::ComponentMul
             | Routine::ComponentDiv
+            | Routine::Inf
+            | Routine::Sup
+            | Routine::Abs
     )
 }
 
-fn float(scalar: Scalar) -> Float {
+pub(super) fn float(scalar: Scalar) -> Float {
     match scalar {
         Scalar::Float(float) => float,
         _ => unreachable!("the validator asks for floats"),
     }
 }
 
-fn zero(float: Float) -> Expr {
-    literal::number(float, 0)
+/// Sums two, three or four terms in nalgebra's order.
+pub(super) fn small_dot(terms: Vec<Expr>) -> Expr {
+    let add = |a, b| Expr::binary("+", a, b);
+    match <[Expr; 4]>::try_from(terms) {
+        Ok([a, b, c, d]) => add(add(a, c), add(b, d)),
+        Err(terms) => terms.into_iter().reduce(add).expect("two or three terms"),
+    }
+}
+
+/// Returns the helper that chooses one of two numbers.
+pub(super) fn chooser(routine: Routine, float: Float) -> Helper {
+    match routine {
+        Routine::Inf | Routine::Amin => Helper::Lower(float),
+        _ => Helper::Upper(float),
+    }
 }

@@ -136,6 +136,11 @@ impl Lower<'_> {
         }
         let constant = value.is_some() && !self.usage.assigned[local.index()];
         let sizes = self.sizes.remove(&local).unwrap_or_default();
+        if let Some((routine, operand)) = value.and_then(|value| self.is_reduced(value)) {
+            let name = self.bind(local);
+            self.reduce(routine, &operand, &name);
+            return;
+        }
         match value {
             _ if self.counters[local.index()].is_some() => {
                 let value = value.map(|value| Init::Value(self.size(value)));

@@ -188,6 +188,7 @@ impl Lower<'_> {
         match routine {
             Routine::Dot => self.dot_product(&operands[0], &operands[1]),
             Routine::NormSquared => self.norm_squared(&operands[0]),
+            Routine::Amax | Routine::Amin => self.extreme(routine, &operands[0]),
             Routine::Norm => {
                 let float = operands[0].ty.clone();
                 let square = self.norm_squared(&operands[0]);

@@ -1,0 +1,23 @@
+/*
+ * What the programs of `cargo xtask bench --only dsp` have in common: marks around a job, its inputs and its results.
+ */
+#ifndef DSP_H
+#define DSP_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* The plugin of QEMU counts between these calls. */
+void bench_begin(void);
+void bench_end(void);
+
+/* Writes the results of a job, each as a word with the bits of the number. */
+void report(const float *results, size_t count);
+
+/* Fills an array with numbers from -1 to 1 that follow from a seed. */
+void fill(float *numbers, size_t count, uint32_t seed);
+
+/* Runs every job of a contender, in the order of the table in `bench/src/dsp.rs`. */
+void run_jobs(void);
+
+#endif

@@ -1,0 +1,54 @@
+//! The jobs, and the number of instructions that the emitted C may take for each.
+
+/// A machine with its own list of jobs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Machine {
+    /// A Cortex-M4F without an operating system.
+    M4f,
+    /// A Cortex-A9 without NEON.
+    A9,
+}
+
+/// A job of each contender of a machine.
+#[derive(Debug)]
+pub struct Job {
+    /// Its name in results.
+    pub name: &'static str,
+    /// Machine on which it runs.
+    pub machine: Machine,
+    /// Number of calls.
+    pub calls: usize,
+    /// Numbers in the result of a call.
+    pub numbers: usize,
+    /// Goal for the emitted C, in instructions.
+    pub goal: u64,
+}
+
+const fn job(name: &'static str, numbers: usize, goal: u64) -> Job {
+    Job { name, machine: Machine::M4f, calls: 1, numbers, goal }
+}
+
+/// The jobs, by machine, in the order in which every program runs them.
+pub const JOBS: &[Job] = &[
+    Job { calls: 3, ..job("PID step", 1, 14) },
+    job("biquad cascade in direct form I, 4 sections, 64 samples", 64, 3_000),
+    job("biquad cascade in transposed direct form II, 4 sections, 64 samples", 64, 2_800),
+    job("FIR filter, 32 taps, 64 samples", 64, 5_000),
+    job("Clarke's and Park's transforms", 2, 9),
+    job("the same, with sine and cosine", 2, 66),
+    job("product of 12 rows", 144, 4_520),
+    job("Cholesky factor and solution, 12 rows", 12, 2_409),
+    job("`a.lu().solve(&b)`, 4 rows", 4, 339),
+    job("`solve_into`, 4 rows", 4, 323),
+    job("`a.lu().solve(&b)`, 8 rows", 8, 1_713),
+    job("`solve_into`, 8 rows", 8, 1_632),
+    job("`a.lu().solve(&b)`, 20 rows", 20, 20_535),
+    job("`solve_into`, 20 rows", 20, 19_558),
+    Job {
+        name: "predictive control, 12 states, 4 inputs, 10 stages, 10 iterations",
+        machine: Machine::A9,
+        calls: 2,
+        numbers: 4,
+        goal: 190_000,
+    },
+];
