@@ -13,7 +13,7 @@ use bessemer_backend::c::interface::Interface;
 use bessemer_backend::c::{self, CFile, EntryReport, FunctionReport, Site, Width};
 use bessemer_backend::kernels::replace::Replacement;
 use bessemer_backend::{kernels, passes, validate};
-use bessemer_frontend::diagnostic::{Diagnostic, OUR_FAULT};
+use bessemer_frontend::diagnostic::{Diagnostic, OUR_FAULT, Place};
 use bessemer_frontend::source::Sources;
 use bessemer_frontend::typify;
 
@@ -107,18 +107,25 @@ fn of_module(
     let explicit = passes::lend(explicit, &options.kernels, options.layout != Layout::Array);
     gate(&explicit)?;
     let plan = c::Plan::new(&explicit, options);
+    let other = |span: &Span| Place {
+        file: file_of(&module, *span),
+        start: (span.line, span.column),
+        end: (0, 0),
+        label: "also here".to_owned(),
+    };
     let taken: Vec<_> = plan
-        .taken()
+        .conflicts()
         .iter()
-        .map(|(span, taken)| Diagnostic {
-            help: match taken {
+        .map(|it| Diagnostic {
+            also: it.others.iter().map(other).collect(),
+            help: match &it.taken {
                 c::given::Taken::Made(_) => {
                     "name one of them otherwise in the C: `#[c(name = \"…\")]`"
                 }
                 _ => "give it another name, or leave the name to Bessemer",
             }
             .to_owned(),
-            ..place(&module, *span, taken)
+            ..place(&module, it.span, &it.taken)
         })
         .collect();
     if !taken.is_empty() {
@@ -310,10 +317,15 @@ fn ruled_out(fault: Fault, reason: &str) -> String {
 
 fn place(module: &Module, span: bessemer_ir::Span, message: &dyn std::fmt::Display) -> Diagnostic {
     Diagnostic {
-        file: module.files.get(span.file as usize).cloned().unwrap_or_default(),
+        file: file_of(module, span),
         line: span.line,
         column: span.column,
         message: message.to_string(),
         ..Diagnostic::default()
     }
+}
+
+/// Returns the source file of a span.
+fn file_of(module: &Module, span: Span) -> String {
+    module.files.get(span.file as usize).cloned().unwrap_or_default()
 }

@@ -234,6 +234,36 @@ pub fn flatten<T: Of<V>, V>(items: impl Iterator<Item = T>, mut __each: impl FnM
     }
 }
 
+/// Yields each result of `f` up to the first that is `None`.
+#[function(expand)]
+pub fn from_fn<T>(mut f: impl FnMut() -> Option<T>, mut __each: impl FnMut(T)) {
+    for _ in 0_u64..18_446_744_073_709_551_615 {
+        if let Some(item) = f() {
+            __each(item);
+        } else {
+            break;
+        }
+    }
+}
+
+/// Yields the first value, and then each result of `f` for the value before, up to the first that is `None`.
+#[function(expand)]
+pub fn successors<T>(
+    first: Option<T>,
+    mut f: impl FnMut(&T) -> Option<T>,
+    mut __each: impl FnMut(T),
+) {
+    let mut next = first;
+    for _ in 0_u64..18_446_744_073_709_551_615 {
+        if let Some(item) = next {
+            next = f(&item);
+            __each(item);
+        } else {
+            break;
+        }
+    }
+}
+
 /// Yields all items of one iterator, then of the other.
 #[function(expand)]
 pub fn chain<T>(
@@ -249,7 +279,7 @@ pub fn chain<T>(
         for item in others {
             __each(item);
         }
-    }
+    };
 }
 
 #[cfg(test)]

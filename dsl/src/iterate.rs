@@ -103,6 +103,28 @@ pub fn next<T>(items: impl Iterator<Item = T>) -> Option<T> {
     next
 }
 
+/// Returns the last of the items that are left, and leaves those before it.
+#[function(expand)]
+pub fn next_back<T>(items: impl DoubleEndedIterator<Item = T>) -> Option<T> {
+    let mut next_back = None;
+    #[allow(clippy::never_loop)]
+    for value in items.into_iter().rev() {
+        next_back = Some(value);
+        break;
+    }
+    next_back
+}
+
+/// Returns the number of items that are left. The generator computes it without the items.
+#[function(expand)]
+pub fn len<T>(items: impl Iterator<Item = T>) -> usize {
+    let mut len = 0_usize;
+    for _ in items {
+        len += 1;
+    }
+    len
+}
+
 /// Returns the item after `n` others.
 #[function(expand)]
 pub fn nth<T>(items: impl Iterator<Item = T>, n: usize) -> Option<T> {

@@ -59,7 +59,7 @@ pub fn lent(n: u8) -> u8 {
 
 #[function]
 fn further(i: &mut u8) {
-    *i += 1;
+    *i ^= 1;
 }
 
 /// The wrong way.

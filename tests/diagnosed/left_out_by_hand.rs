@@ -1,13 +1,35 @@
-//! Functions that lack a part of iterators with explicit `next` calls.
+//! Iterators that lack a part of explicit `next` and `next_back` calls.
 use bessemer::prelude::*;
 
 #[function]
-fn first_three(items: impl Iterator<Item = u8>) -> impl Iterator<Item = u8> {
-    items.take(3).map(|item| item ^ 1)
+fn of_pairs(items: impl Iterator<Item = u8>) -> impl Iterator<Item = u8> {
+    items.flat_map(|item| [item, item ^ 1])
 }
 
+/// An iterator over parts.
 #[function]
 pub fn left_out_by_hand(values: &[u8; 8]) -> [Option<u8>; 2] {
-    let mut items = first_three(values.iter().copied());
+    let mut items = of_pairs(values.iter().copied());
     [items.next(), items.next()]
+}
+
+/// `skip` of an iterator that may go on after its end.
+#[function]
+pub fn skipped(values: &[u8; 8]) -> [Option<u8>; 2] {
+    let mut items = values.iter().map_while(|x| (*x > 2).then_some(*x)).skip(2);
+    [items.next(), items.next()]
+}
+
+/// An adapter with state has no items from its end.
+#[function]
+pub fn from_the_end(values: &[u8; 8]) -> bool {
+    let mut items = values.iter().map(|x| *x).step_by(2);
+    items.next_back() == items.next()
+}
+
+/// The number of items that a condition keeps is not known.
+#[function]
+pub fn numbered(values: &[u8; 8]) -> usize {
+    let items = values.iter().map(|x| *x).step_by(2);
+    items.len()
 }

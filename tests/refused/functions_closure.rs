@@ -6,10 +6,8 @@ use bessemer::prelude::*;
 /// Does with closures what the C cannot.
 #[function]
 pub fn closures(x: f64) -> f64 {
-    let mut gain = 2.0;
-    let twice = move |value: f64| gain * value;
-    gain = 3.0;
-    let mut sum = gain;
+    let twice = |value: f64| 2.0 * value;
+    let mut sum = 3.0;
     [x].iter().for_each(|value| {
         if *value < 0.0 {
             return;
@@ -18,7 +16,7 @@ pub fn closures(x: f64) -> f64 {
     });
     let half = |value: f64| value / 2.0;
     let other = half;
-    twice(x) + sum + other(x) + (|value: f64| value)(x)
+    twice(x) + sum + other(x)
 }
 
 fn main() {}

@@ -192,6 +192,16 @@ pub fn is_comparison(function: &Function) -> bool {
     is(function, CONSUMERS, "equal_items")
 }
 
+/// Returns true for `next_back`, which takes an item from the end.
+pub fn is_next_back(function: &Function) -> bool {
+    is(function, CONSUMERS, "next_back")
+}
+
+/// Returns true for the number of items, `len`.
+pub fn is_len(function: &Function) -> bool {
+    is(function, CONSUMERS, "len")
+}
+
 /// Returns true for the consumer `last`.
 pub fn is_last(function: &Function) -> bool {
     is(function, CONSUMERS, "last")
@@ -205,6 +215,27 @@ pub fn is_chunk_by(function: &Function) -> bool {
 /// Returns true for an adapter whose last item is the last one of an argument, without a loop over all.
 pub fn ends_in_argument(function: &Function) -> bool {
     is(function, ADAPTERS, "skip") || is(function, ADAPTERS, "chain")
+}
+
+/// Returns true for an adapter that equals the standard library's only over an iterator that stays ended. After a `None`, the
+/// standard library begins to skip anew, or does not return to the first part.
+pub fn needs_an_end(function: &Function) -> bool {
+    ["skip", "step_by", "chain"].iter().any(|name| is(function, ADAPTERS, name))
+}
+
+/// Returns true if an adapter yields no more items once its own loop is left.
+pub fn ends_for_good(function: &Function) -> bool {
+    is(function, ADAPTERS, "take_while")
+}
+
+/// Returns true if an adapter stays ended where its arguments do.
+pub fn stays_ended(function: &Function) -> bool {
+    !["from_fn", "map_while", "scan"].iter().any(|name| is(function, ADAPTERS, name))
+}
+
+/// Returns true for the adapter `rev`.
+pub fn is_rev(function: &Function) -> bool {
+    is(function, ADAPTERS, "rev")
 }
 
 /// Returns true for the adapter `zip`.

@@ -19,6 +19,7 @@ use bessemer_ir::{
 use bessemer_ir::effects::{lent, overlap, reads, same_place, writes, writes_local};
 use bessemer_ir::used::Rule;
 
+mod called;
 mod compared;
 #[cfg(test)]
 mod tests;
@@ -377,7 +378,18 @@ impl Looked<'_> {
     fn lent(&self, expr: &Expr, path: &mut Path) -> Result<(), Reason> {
         let lent = lent(expr);
         path.forget(&lent);
-        match (0..2).find(|side| reads(self.side(*side), &lent)) {
+        let mut sides = (0..2).filter(|side| reads(self.side(*side), &lent));
+        let side = sides.next();
+        if let (Some(side), None) = (side, sides.next())
+            && let Some(moved) = self.by_call(side, expr, path)
+        {
+            path.moved |= moved;
+            path.written[side] = true;
+            path.above &= side == 0;
+            path.locals.values_mut().for_each(|known| known[side] = None);
+            return Ok(());
+        }
+        match side {
             Some(side) => Err(match self.place(side) {
                 Some(place) => {
                     format!("`{}` is passed to a function by `&mut`", (self.name)(place))

@@ -209,6 +209,9 @@ pub fn of_num_traits(path: &syn::Path) -> Option<syn::Path> {
     Some(syn::parse_quote!(::bessemer::generate::numeric::#function))
 }
 
+/// Module and names of core's iterators that a closure makes.
+pub const MADE: (&str, &[&str]) = ("iter", &["from_fn", "successors"]);
+
 /// Module and name of core's iterator over one value.
 pub const ONCE: (&str, &str) = ("iter", "once");
 

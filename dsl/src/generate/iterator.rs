@@ -10,7 +10,7 @@ use bessemer_tree as tree;
 use bessemer_tree::{Desugared, Together, Ty};
 
 use super::builder::{Builder, Callee};
-use super::companions::companions;
+use super::companions::{calls, companions};
 use super::containers;
 use super::slot::{Called, DslType, Exclusive, Seen, Shared, Slot, dsl_types, never_held};
 use crate::{List, adapt, iterate};
@@ -210,6 +210,9 @@ companions! {
             = [iterate::__function_ne<Item<Self>, U::Slot>];
         fn __b_last(self) -> Option<Self::Item> = [iterate::__function_last<Item<Self>>];
         fn __b_next(&mut self) -> Option<Self::Item> = [iterate::__function_next<Item<Self>>];
+        fn __b_next_back(&mut self) -> Option<Self::Item> where Self: DoubleEndedIterator
+            = [iterate::__function_next_back<Item<Self>>];
+        fn __b_len(&mut self) -> usize where Self: ExactSizeIterator = [iterate::__function_len<Item<Self>>];
     }
     /// Companions of adapters. Each returns [`Items`], so that a witness copy has one type of iterators, which no
     /// closure borrows.
@@ -260,3 +263,16 @@ impl<I: Iterator<Item: Seen>> Ends for I {}
 impl<I: Iterator<Item: Seen>> Adapters for I {}
 impl<'a, T: Seen + 'a, I: Iterator<Item = &'a T>> CopiedItems<T> for I {}
 impl<I: Iterator<Item: Seen>> ByHand for I {}
+
+/// Carriers of functions of `core::iter`.
+#[allow(non_camel_case_types)]
+pub mod iter {
+    pub struct from_fn;
+    pub struct successors;
+}
+
+calls! {
+    iter::from_fn[T: Seen, F: FnMut() -> Option<T>](_f: F) -> Items<T> = [adapt::__function_from_fn<T::Slot>];
+    iter::successors[T: Seen, F: FnMut(&T) -> Option<T>](_first: Option<T>, _f: F) -> Items<T>
+        = [adapt::__function_successors<T::Slot>];
+}

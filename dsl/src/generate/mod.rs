@@ -34,7 +34,7 @@ pub use handed::made;
 pub use implied::{NotImplied, OwnImplied, note_implied};
 pub use inventory;
 pub use items::{Build, Generics, Registered, argument, field, folders, number, package, variant};
-pub use iterator::{ExtendBuiltin, FromIteratorBuiltin, Items};
+pub use iterator::{ExtendBuiltin, FromIteratorBuiltin, Items, iter};
 pub use numbers::{FromBuiltin, TryFromBuiltin};
 pub use operators::{Implements, Operates, Operation, sign};
 pub use own::{Asked, NotImplemented, Own};

@@ -1,8 +1,13 @@
 //! Constructors of expressions that no author wrote, for desugaring.
 
 use alloc::boxed::Box;
+use alloc::string::String;
+use alloc::vec::Vec;
 
-use super::{Block, Expr, ExprKind, NO_SLOT, Pattern, Site, Source, Stmt};
+use super::number::Int;
+use super::{
+    BinaryOp, Block, Closure, Expr, ExprKind, NO_SLOT, Pattern, Scalar, Site, Source, Stmt, UnaryOp,
+};
 
 impl Expr {
     /// Returns an expression whose type follows from its operands.
@@ -13,6 +18,54 @@ impl Expr {
     /// Builds the expression of a name.
     pub fn local(name: &str, site: Site) -> Expr {
         Expr::plain(ExprKind::Local(name.into()), site)
+    }
+
+    /// Builds the number after the `usize` of a name.
+    pub fn successor(name: &str, site: Site) -> Expr {
+        let one = ExprKind::Int("1".into(), Some(Scalar::Int(Int::Usize)));
+        let [number, one] = [Expr::local(name, site), Expr::plain(one, site)].map(Box::new);
+        Expr::plain(ExprKind::Binary(BinaryOp::Add, number, one), site)
+    }
+
+    /// Replaces the expression by a closure.
+    pub fn become_closure(&mut self, closure: Closure) {
+        self.kind = ExprKind::Closure(closure);
+    }
+
+    /// Returns a block that declares copies of variables, with their names, before the expression.
+    pub fn with_copies(self, names: &[String]) -> Expr {
+        let site = self.site;
+        let copy = |name: &String| {
+            let (name, value) = (name.clone(), Some(Expr::local(name, site)));
+            Stmt::Let { name, slot: NO_SLOT, value, site, mutable: true }
+        };
+        let mut stmts: Vec<_> = names.iter().map(copy).collect();
+        stmts.push(Stmt::Expr(self));
+        Expr::plain(ExprKind::Block(Block { stmts, tail: None }), site)
+    }
+
+    /// Returns a block that sets a flag before the expression.
+    pub fn after_flag(self, name: &str) -> Expr {
+        let (site, set) = (self.site, Expr::plain(ExprKind::Bool(true), self.site));
+        let stmts = [Stmt::assigned(name, set, site), Stmt::Expr(self)].into();
+        Expr::plain(ExprKind::Block(Block { stmts, tail: None }), site)
+    }
+
+    /// Returns the expression under the condition that a flag is not set.
+    pub fn without_flag(self, name: &str) -> Expr {
+        let site = self.site;
+        let flag = Box::new(Expr::local(name, site));
+        let not_yet = Box::new(Expr::plain(ExprKind::Unary(UnaryOp::Not, flag), site));
+        let then = Block { stmts: [Stmt::Expr(self)].into(), tail: None };
+        Expr::plain(ExprKind::If(not_yet, then, None), site)
+    }
+}
+
+impl Stmt {
+    /// Returns an assignment to a name.
+    pub fn assigned(name: &str, value: Expr, site: Site) -> Stmt {
+        let to = Box::new(Expr::local(name, site));
+        Stmt::Expr(Expr::plain(ExprKind::Assign(None, to, Box::new(value)), site))
     }
 }
 

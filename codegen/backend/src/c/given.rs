@@ -27,9 +27,20 @@ pub enum Taken {
     Made(String),
 }
 
-/// Returns all conflicts, each with its place.
-pub fn taken(module: &Module, names: &Names) -> Vec<(Span, Taken)> {
-    let mut found = Found { wanted: wanted(names), list: Vec::new() };
+/// A conflict of a name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Conflict {
+    /// Place of the name, or of its item.
+    pub span: Span,
+    /// The conflict.
+    pub taken: Taken,
+    /// Places of the other items that would have the name.
+    pub others: Vec<Span>,
+}
+
+/// Returns all conflicts, each with its places.
+pub fn conflicts(module: &Module, names: &Names) -> Vec<Conflict> {
+    let mut found = Found { wanted: wanted(module, names), list: Vec::new() };
     found.types(module, names);
     found.tables(module, names);
     for (index, function) in module.functions.iter().enumerate() {
@@ -51,11 +62,10 @@ pub fn taken(module: &Module, names: &Names) -> Vec<(Span, Taken)> {
     }
     // A name that the author chose is the one reported.
     let (made, mut list): (Vec<_>, Vec<_>) =
-        found.list.into_iter().partition(|(_, it)| matches!(it, Taken::Made(_)));
-    let known = |name: &str| {
-        list.iter().any(|(_, taken)| matches!(taken, Taken::Twice(given) if given == name))
-    };
-    let alone = |(_, it): &(Span, Taken)| !matches!(it, Taken::Made(name) if known(name));
+        found.list.into_iter().partition(|it| matches!(it.taken, Taken::Made(_)));
+    let known =
+        |name: &str| list.iter().any(|it| matches!(&it.taken, Taken::Twice(own) if own == name));
+    let alone = |it: &Conflict| !matches!(&it.taken, Taken::Made(name) if known(name));
     let alone: Vec<_> = made.into_iter().filter(alone).collect();
     list.extend(alone);
     list.dedup();
@@ -86,21 +96,30 @@ pub fn alike(module: &Module, names: &Names) -> Vec<(Span, String, String)> {
     alike
 }
 
-/// Returns the number of items that request each global name.
-fn wanted(names: &Names) -> BTreeMap<String, u32> {
-    let types = names.structs.iter().flat_map(|it| [Some(&it.ty), it.init.as_ref()]).flatten();
-    let enums = names.enums.iter().flat_map(|it| it.variants.iter().chain([&it.ty]));
-    let functions = names.functions.iter().map(|signature| &signature.name);
-    let mut wanted = BTreeMap::new();
-    for name in types.chain(enums).chain(functions).chain([&names.status.ty]) {
-        *wanted.entry(name.clone()).or_default() += 1;
+/// Returns the places of the items that request each global name; the type of the status has none.
+fn wanted(module: &Module, names: &Names) -> BTreeMap<String, Vec<Span>> {
+    let types = module.structs.iter().zip(&names.structs).flat_map(|(item, own)| {
+        let span = at(&item.given, item.span);
+        [Some(&own.ty), own.init.as_ref()].into_iter().flatten().map(move |name| (name, span))
+    });
+    let enums = module.enums.iter().zip(&names.enums).flat_map(|(item, own)| {
+        let variants = item.variants.iter().zip(&own.variants);
+        let variants = variants.map(|(variant, name)| (name, at(&variant.given, item.span)));
+        variants.chain([(&own.ty, at(&item.given, item.span))])
+    });
+    let functions = module.functions.iter().zip(&names.functions);
+    let functions = functions.map(|(function, signature)| (&signature.name, function.span));
+    let status = [(&names.status.ty, Span::default())];
+    let mut wanted: BTreeMap<String, Vec<Span>> = BTreeMap::new();
+    for (name, span) in types.chain(enums).chain(functions).chain(status) {
+        wanted.entry(name.clone()).or_default().push(span);
     }
     wanted
 }
 
 struct Found {
-    wanted: BTreeMap<String, u32>,
-    list: Vec<(Span, Taken)>,
+    wanted: BTreeMap<String, Vec<Span>>,
+    list: Vec<Conflict>,
 }
 
 impl Found {
@@ -109,15 +128,14 @@ impl Found {
             if item.given.name.is_none() {
                 self.made(&own.ty, item.span);
             } else {
-                self.global(&own.ty, at(&item.given, item.span));
-                if let Some(init) = &own.init {
-                    self.global(init, at(&item.given, item.span));
-                }
+                let span = at(&item.given, item.span);
+                self.global(&own.ty, span);
+                own.init.iter().for_each(|init| self.global(init, span));
             }
             for (field, name) in item.fields.iter().zip(&own.fields) {
                 if field.given.name.is_none() {
                     if own.fields.iter().filter(|it| *it == name).count() > 1 {
-                        self.list.push((item.span, Taken::Made(name.replace(OVERLAY, ""))));
+                        self.note(item.span, Taken::Made(name.replace(OVERLAY, "")), &[]);
                     }
                     continue;
                 }
@@ -145,42 +163,51 @@ impl Found {
             let Some(name) = &item.given.name else { continue };
             let span = at(&item.given, item.span);
             if is_keyword(name) || is_reserved_globally(name) {
-                self.list.push((span, Taken::Reserved(name.clone())));
+                self.note(span, Taken::Reserved(name.clone()), &[]);
             } else if self.wanted.contains_key(name) || names.renamed(ConstId(index as u32), name) {
-                self.list.push((span, Taken::Twice(name.clone())));
+                let others = self.wanted.get(name).cloned().unwrap_or_default();
+                self.note(span, Taken::Twice(name.clone()), &others);
             }
         }
     }
 
+    /// Adds a conflict with the items at other places.
+    fn note(&mut self, span: Span, taken: Taken, others: &[Span]) {
+        let others = others.iter().copied().filter(|it| *it != span && it.line > 0).collect();
+        self.list.push(Conflict { span, taken, others });
+    }
+
     /// Returns true if two items would have this name.
     fn is_twice(&self, name: &str) -> bool {
-        self.wanted.get(name).is_some_and(|count| *count > 1)
+        self.wanted.get(name).is_some_and(|all| all.len() > 1)
     }
 
     /// Checks a generated global name.
     fn made(&mut self, name: &str, span: Span) {
         if self.is_twice(name) {
-            self.list.push((span, Taken::Made(name.to_owned())));
+            let others = self.wanted[name].clone();
+            self.note(span, Taken::Made(name.to_owned()), &others);
         }
     }
 
     /// Checks a global name of the author's.
     fn global(&mut self, name: &str, span: Span) {
         if is_keyword(name) || is_reserved_globally(name) {
-            self.list.push((span, Taken::Reserved(name.to_owned())));
+            self.note(span, Taken::Reserved(name.to_owned()), &[]);
         } else if is_helper_name(name) {
-            self.list.push((span, Taken::Helper(name.to_owned())));
+            self.note(span, Taken::Helper(name.to_owned()), &[]);
         } else if self.is_twice(name) {
-            self.list.push((span, Taken::Twice(name.to_owned())));
+            let others = self.wanted[name].clone();
+            self.note(span, Taken::Twice(name.to_owned()), &others);
         }
     }
 
     /// Checks the name of a field.
     fn inner(&mut self, name: &str, span: Span, twice: bool) {
         if is_keyword(name) {
-            self.list.push((span, Taken::Reserved(name.to_owned())));
+            self.note(span, Taken::Reserved(name.to_owned()), &[]);
         } else if twice {
-            self.list.push((span, Taken::Twice(name.to_owned())));
+            self.note(span, Taken::Twice(name.to_owned()), &[]);
         }
     }
 
@@ -189,9 +216,9 @@ impl Found {
         let Some(name) = &given.name else { return };
         let span = at(given, function);
         if is_reserved_for_locals(name) {
-            self.list.push((span, Taken::Reserved(name.clone())));
+            self.note(span, Taken::Reserved(name.clone()), &[]);
         } else if name != became {
-            self.list.push((span, Taken::Twice(name.clone())));
+            self.note(span, Taken::Twice(name.clone()), &[]);
         }
     }
 }
@@ -200,6 +227,6 @@ impl Found {
 fn at(given: &Given, item: Span) -> Span {
     match given.site.0 {
         0 => item,
-        line => Span { file: item.file, line, column: given.site.1 },
+        line => Span { line, column: given.site.1, ..item },
     }
 }

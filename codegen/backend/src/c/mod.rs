@@ -67,7 +67,7 @@ pub use wide::Width;
 
 use analysis::Faults;
 use context::Context;
-use given::Taken;
+use given::Conflict;
 use interface::Interface;
 use names::Names;
 
@@ -113,8 +113,8 @@ impl<'m> Plan<'m> {
     }
 
     /// Returns the names that conflict, each with its place.
-    pub fn taken(&self) -> Vec<(Span, Taken)> {
-        given::taken(self.module, &self.names)
+    pub fn conflicts(&self) -> Vec<Conflict> {
+        given::conflicts(self.module, &self.names)
     }
 
     /// Returns the functions whose external names are equal for some linkers, each with the earlier name.

@@ -59,7 +59,7 @@ pub struct Diagnostic {
     pub help: String,
     /// A note.
     pub notes: Vec<String>,
-    /// Further places of the same file that the diagnostic marks.
+    /// Further places that the diagnostic marks.
     pub also: Vec<Place>,
     /// The original message of rustc, if it is shown unchanged.
     pub rustc: Option<Box<Value>>,
@@ -68,12 +68,23 @@ pub struct Diagnostic {
 /// A further place that a diagnostic marks.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Place {
+    /// The source file, as of the diagnostic; empty for the same one.
+    #[serde(default)]
+    pub file: String,
     /// Line and column, from 1.
     pub start: (u32, u32),
-    /// Line and column after the last character, in the same line.
+    /// Line and column after the last character, in the same line; (0, 0): the token at the beginning is marked.
     pub end: (u32, u32),
     /// Text of the label below the place.
     pub label: String,
+}
+
+impl Place {
+    /// Returns a diagnostic of this place alone, in a file.
+    fn marked(&self, file: &str) -> Diagnostic {
+        let ((line, column), end) = (self.start, Some(self.end).filter(|end| *end != (0, 0)));
+        Diagnostic { file: file.to_owned(), line, column, end, ..Diagnostic::default() }
+    }
 }
 
 /// All diagnostics of one run in order, rendered for a terminal and as JSON.
@@ -155,14 +166,23 @@ fn render_one(diagnostic: &Diagnostic, sources: &Sources, renderer: &Renderer) -
         let label = Some(diagnostic.label.as_str()).filter(|label| !label.is_empty());
         let mut snippet =
             Snippet::source(text).path(diagnostic.file.as_str()).annotation(mark.label(label));
+        let mut elsewhere = Vec::new();
         for place in &diagnostic.also {
-            let at = |(line, column)| Extent::byte(sources, &diagnostic.file, line, column);
-            if let (Some(start), Some(end)) = (at(place.start), at(place.end)) {
-                let mark = AnnotationKind::Context.span(start..end.max(start));
-                snippet = snippet.annotation(mark.label(place.label.as_str()));
+            let is_here = place.file.is_empty() || place.file == diagnostic.file;
+            let file = if is_here { &diagnostic.file } else { &place.file };
+            let Some(marked) = Extent::of(&place.marked(file), sources) else { continue };
+            let mark = AnnotationKind::Context.span(marked.start..marked.end);
+            let mark = mark.label(place.label.as_str());
+            match is_here {
+                true => snippet = snippet.annotation(mark),
+                false => elsewhere.push((file, mark)),
             }
         }
         group = group.element(snippet);
+        for (file, mark) in elsewhere {
+            let snippet = Snippet::source(sources.text(file)).path(file.as_str());
+            group = group.element(snippet.annotation(mark));
+        }
     }
     if !diagnostic.help.is_empty() {
         group = group.element(Title::HELP.message(diagnostic.help.as_str()));

@@ -4,31 +4,30 @@
 //! each pass.
 //!
 //! Invariants: such an iterator yields at most one item per item of its source and has no state; or it is one loop of
-//! a generator function, whose locals then persist between calls. Any other iterator that is used more than once is
-//! an error.
+//! a generator function, whose locals then persist between calls; or an adapter with state ([`pulled`](super::pulled)).
+//! Any other iterator that is used more than once is an error.
 //!
 //! Must not know: which methods consume an iterator.
 
 use std::rc::Rc;
 
 use bessemer_ir::tree::visit::Walk;
-use bessemer_ir::tree::{
-    self, BinaryOp, EACH, ExprKind as Tree, NO_SLOT, Pattern, Site, Source, Stmt,
-};
+use bessemer_ir::tree::{self, EACH, ExprKind as Tree, Pattern, Site, Source, Stmt};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Int, Local, LocalId, Scalar, Span, StmtKind, Type,
+    Block, CompareOp, Expr, ExprKind, Int, LocalId, Scalar, Span, StmtKind, Type, effects,
 };
 
 use super::choice::takes_all;
 use super::items::handing;
-use super::lowering::{Closure, Hand, Lowering};
+use super::lengths::{minus, number};
+use super::lowering::{Closure, Hand, Lowering, Way};
 use super::mentions::mentions;
-use super::scopes::{Names, meaning_in};
+use super::scopes::Names;
 use super::single_pass::single_pass;
-use super::syntax::{generates, some_of};
+use super::syntax::{bare, generates, some_of};
 use super::value::Value;
 use super::{Needed, Result, refusals, refused};
-use crate::standard::{is_enumerate, is_zip};
+use crate::standard::{is_enumerate, is_next_back, is_zip};
 
 /// Library function for `Iterator::next`.
 const NEXT: &str = "bessemer::iterate::next";
@@ -48,13 +47,15 @@ const PASSES: &str = "passes%";
 
 /// A change of the innermost loop of an iterator.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Change {
+pub(super) enum Change {
     /// It begins after the taken items.
     Begin,
     /// It also counts each item.
     Count,
     /// It ends after a number of items.
     End,
+    /// It begins after the taken items, is reversed, and moves the end to each item.
+    Back,
 }
 
 /// Returns true for the pattern of a loop that counts the items it takes: it also binds an index. Such a loop is
@@ -69,15 +70,32 @@ impl<'a> Lowering<'a, '_> {
         &mut self,
         name: &str,
         iterator: Value,
-        body: &tree::Block,
+        function: &tree::Function,
         site: Site,
     ) -> Result<Value> {
         let Value::Closure(through) = iterator else { return Ok(iterator) };
         if let Some(counted) = self.counted_already(through) {
             return Ok(Value::Closure(counted));
         }
+        let body = &function.tree.body;
         if mentions(name, body) < 2 {
             return Ok(iterator);
+        }
+        let is_last = |it: &tree::Expr| match &it.kind {
+            Tree::Call(callee, arguments) => {
+                let called = match function.callees.get(*callee as usize) {
+                    Some(tree::Callee::Function(path)) => self.cx.all.get(path.as_str()),
+                    _ => None,
+                };
+                called.is_some_and(|it| is_next_back(it))
+                    && arguments
+                        .iter()
+                        .any(|of| matches!(&bare(of).kind, Tree::Local(it) if it == name))
+            }
+            _ => false,
+        };
+        if body.any_expr(is_last) {
+            return self.two_ended(name, through, site).map(Value::Closure);
         }
         self.counted(name, through, site).map(Value::Closure)
     }
@@ -102,7 +120,7 @@ impl<'a> Lowering<'a, '_> {
         {
             return self.counted(name, named, site);
         }
-        let (through, mut kept) = match self.started(&through, site)? {
+        let (through, mut kept) = match started(self, &through, site)? {
             Some((own, kept)) => (own, kept),
             None => (through, Vec::new()),
         };
@@ -112,26 +130,19 @@ impl<'a> Lowering<'a, '_> {
         let (counts, own) = self.in_scope_of(&through, None, site, |inner| {
             let counts = inner.count(counted, &taken, Change::Count)
                 && inner.count(again, &taken, Change::Begin);
-            Ok((counts, inner.own_below(again)))
+            Ok((counts, own_below(inner, again)))
         })?;
         if !counts {
-            let within = self.counted_within(name, &through, site)?;
-            return within.or_refused(site, refusals::BY_HAND);
+            let counted = match self.counted_within(name, &through, site)? {
+                None => self.pulled(name, &through, site)?,
+                within => within,
+            };
+            return counted.or_refused(site, refusals::BY_HAND);
         }
         kept.extend(own.iter().map(|(name, _)| name.clone()));
         // A loop through a copy of the iterator must not change the iterator's state, so it works on copies of the locals.
-        let copies = kept.iter().map(|name| Stmt::Let {
-            name: name.clone(),
-            slot: NO_SLOT,
-            value: Some(tree::Expr::local(name, site)),
-            site,
-            mutable: true,
-        });
-        let mut stmts: Vec<_> = copies.collect();
-        if !stmts.is_empty() {
-            let each = std::mem::replace(again, tree::Expr::plain(Tree::Bool(false), site));
-            stmts.push(Stmt::Expr(each));
-            again.kind = Tree::Block(tree::Block { stmts, tail: None });
+        if !kept.is_empty() {
+            *again = again.clone().with_copies(&kept);
         }
         if let Some((_, own)) = own {
             return Ok(self.hand(both, None, own, kept).0);
@@ -160,105 +171,33 @@ impl<'a> Lowering<'a, '_> {
             }
         })?;
         let Some((at, within)) = within else { return Ok(None) };
-        let hand = &self.hands[&within];
-        let (again, taken, local, kept) =
-            (hand.again, hand.taken.clone(), hand.local, hand.kept.clone());
+        let hand = self.hands[&within].clone();
+        let mut closure = through.clone();
+        if let Tree::Each { source, .. } = &mut closure.text.body.kind
+            && let Source::Elements(tree::Expr { kind: Tree::Call(_, arguments), .. }, _) =
+                &mut **source
+        {
+            arguments[at] = tree::Expr::local(WITHIN, site);
+        }
+        let below = vec![(WITHIN.to_owned(), within)];
+        if hand.stateful {
+            closure.way = Way::Forward;
+            let both = [closure.clone(), closure];
+            return Ok(Some(self.over_state(both, hand.local, below)));
+        }
         let counted = self.closures.len();
-        for of in [within, again] {
-            let mut closure = through.clone();
-            if let Tree::Each { source, .. } = &mut closure.text.body.kind
-                && let Source::Elements(tree::Expr { kind: Tree::Call(_, arguments), .. }, _) =
-                    &mut **source
-            {
-                arguments[at] = tree::Expr::local(WITHIN, site);
-            }
+        for of in [within, hand.again] {
+            let mut closure = closure.clone();
             closure.scope.names.push(Names::from_iter([(WITHIN.to_owned(), Value::Closure(of))]));
             self.closure(closure);
         }
-        let hand = Hand { again: counted + 1, taken, local, kept, within: Some(within) };
-        self.hands.insert(counted, hand);
+        self.hands.insert(counted, Hand { again: counted + 1, within: below, ..hand });
         Ok(Some(counted))
-    }
-
-    /// Starts the generator function that an iterator calls. Returns its loop and the names of the locals that
-    /// persist between items.
-    fn started(
-        &mut self,
-        through: &Closure<'a>,
-        site: Site,
-    ) -> Result<Option<(Closure<'a>, Vec<String>)>> {
-        let Some(of) = all_of(&through.text.body) else { return Ok(None) };
-        self.in_scope_of(through, None, site, |inner| {
-            let Some((function, arguments)) = inner.expansion(of).filter(|it| counts_on(it.0))
-            else {
-                return Ok(None);
-            };
-            let Some(own) = inner.start(function, arguments, site)? else { return Ok(None) };
-            let kept = function.tree.body.stmts.iter().filter_map(|stmt| match stmt {
-                Stmt::Let { name, .. } => Some(name.clone()),
-                _ => None,
-            });
-            Ok(Some((own, kept.collect())))
-        })
-    }
-
-    /// Returns a copy of a counted iterator. The copy continues at the present count, and the two then advance
-    /// separately.
-    pub(super) fn copy_of_hand(&mut self, known: usize) -> usize {
-        let Some((counted, hand)) = self.hands.iter().find(|(_, hand)| hand.again == known) else {
-            return known;
-        };
-        let mut both = [*counted, known].map(|it| (*self.closures[it]).clone());
-        if let Some(within) = hand.within {
-            return self.copy_within(both, within);
-        }
-        let (taken, mut local, kept) = (hand.taken.clone(), hand.local, hand.kept.clone());
-        for name in &kept {
-            let copy = match meaning_in(&both[0].scope.names, name) {
-                Some(&Value::Local(of)) => {
-                    let Local { name: own, ty, span, .. } = self.locals[of.index()].clone();
-                    Value::Local(self.let_local(own, Expr::local(of, &ty, span)).root)
-                }
-                Some(Value::Place(own)) => {
-                    let own = own.load();
-                    let copy = self.own_copy(own);
-                    local = copy.root;
-                    Value::Place(copy)
-                }
-                _ => continue,
-            };
-            for closure in &mut both {
-                closure.scope.names.push(Names::from_iter([(name.clone(), copy.clone())]));
-            }
-        }
-        if taken.is_some() {
-            let Local { name, span, .. } = self.locals[local.index()].clone();
-            local = self.let_local(name, Expr::local(local, &Type::USIZE, span)).root;
-        }
-        self.hand(both, taken, local, kept).1
-    }
-
-    /// Copies an adapted iterator by copying the counted iterator below its adapter.
-    fn copy_within(&mut self, mut both: [Closure<'a>; 2], within: usize) -> usize {
-        let again = self.copy_of_hand(self.hands[&within].again);
-        let copied = self.hands.iter().find(|(_, hand)| hand.again == again);
-        let (within, taken, local, kept) = match copied {
-            Some((within, it)) => (*within, it.taken.clone(), it.local, it.kept.clone()),
-            None => return again,
-        };
-        let counted = self.closures.len();
-        for (closure, of) in both.iter_mut().zip([within, again]) {
-            closure.scope.names.push(Names::from_iter([(WITHIN.to_owned(), Value::Closure(of))]));
-            self.closure(closure.clone());
-        }
-        let hand = Hand { again: counted + 1, taken, local, kept, within: Some(within) };
-        self.hands.insert(counted, hand);
-        counted + 1
     }
 
     /// Registers a counted iterator and its non-consuming twin, which reads the remaining items without counting
     /// them.
-    fn hand(
+    pub(super) fn hand(
         &mut self,
         both: [Closure<'a>; 2],
         taken: Option<String>,
@@ -272,7 +211,9 @@ impl<'a> Lowering<'a, '_> {
             self.closure(closure);
         }
         let again = counted + 1;
-        self.hands.insert(counted, Hand { again, taken, local, kept, within: None });
+        let (within, stateful, last) = (Vec::new(), false, None);
+        let hand = Hand { again, taken, local, kept, within, stateful, last };
+        self.hands.insert(counted, hand);
         (counted, again)
     }
 
@@ -296,25 +237,37 @@ impl<'a> Lowering<'a, '_> {
     /// Returns true if an expression reads the count of a counted iterator.
     pub(super) fn is_taken(&self, value: &Expr) -> bool {
         let mut counts = self.hands.values().filter(|hand| hand.taken.is_some());
-        matches!(&value.kind, ExprKind::Load(place) if counts.any(|it| it.local == place.root))
+        let is_count = |hand: &Hand, local| {
+            hand.local == local || hand.last.is_some_and(|(end, _)| end == local)
+        };
+        matches!(&value.kind, ExprKind::Load(place) if counts.any(|it| is_count(it, place.root)))
     }
 
     /// Returns the statements of a loop that takes only the next item of an iterator, without the loop: it has one
     /// pass, or none.
     pub(super) fn at_most_once(&self, kind: &StmtKind, span: Span) -> Option<Block> {
-        let StmtKind::For { variable, from, to, inclusive, reversed: false, ended, body, .. } =
-            kind
+        let StmtKind::For { variable, from, to, inclusive, reversed, ended, body, .. } = kind
         else {
             return None;
         };
         if *ended && *inclusive && from.is_literal() && from == to {
             return single_pass(&body.0);
         }
-        if *inclusive || !self.is_taken(from) {
+        // It has a first pass, and needs no number of it.
+        if let (Some(0), Some(1..)) = (number(from), number(to))
+            && from.ty == Type::Scalar(Scalar::Int(Int::U64))
+            && !effects::mentions(body, *variable)
+        {
+            return single_pass(&body.0);
+        }
+        if *inclusive || !self.is_taken(from) || *reversed && !self.is_taken(to) {
             return None;
         }
-        let mut then =
-            Block::of(StmtKind::Let { local: *variable, value: Some(from.clone()) }, span);
+        let first = match reversed {
+            true => minus(to.clone(), Expr::literal_like(1, to)),
+            false => from.clone(),
+        };
+        let mut then = Block::of(StmtKind::Let { local: *variable, value: Some(first) }, span);
         then.0.extend(single_pass(&body.0)?.0);
         let condition = Expr::compare(CompareOp::Lt, from.clone(), to.clone());
         Some(Block::of(StmtKind::If { condition, then, otherwise: Block::default() }, span))
@@ -322,7 +275,7 @@ impl<'a> Lowering<'a, '_> {
 
     /// Changes the innermost loop of an iterator, whose adapters yield one item for each of its items. Returns false for
     /// a loop that cannot be changed.
-    fn count(&mut self, through: &mut tree::Expr, taken: &str, change: Change) -> bool {
+    pub(super) fn count(&mut self, through: &mut tree::Expr, taken: &str, change: Change) -> bool {
         let site = through.site;
         let Tree::Each { pattern, source, body, .. } = &mut through.kind else { return false };
         if let Source::Elements(of, _) = &mut **source
@@ -335,7 +288,7 @@ impl<'a> Lowering<'a, '_> {
             let Tree::Call(_, arguments) = &mut of.kind else { return false };
             let mut inner = handing(&arguments[at]);
             let counted = self.count(&mut inner.body, taken, change);
-            arguments[at].kind = Tree::Closure(inner);
+            arguments[at].become_closure(inner);
             return counted;
         }
         // An own iterator goes on by itself.
@@ -363,38 +316,32 @@ impl<'a> Lowering<'a, '_> {
         if source.leaves().iter().any(is_made) {
             return false;
         }
-        let plain = |kind| tree::Expr::plain(kind, site);
         let local = |name: &str| tree::Expr::local(name, site);
         let wrapped = |source: &mut Box<Source>, wrap: &dyn Fn(Box<Source>) -> Source| {
             **source = wrap(source.clone());
         };
-        if change == Change::Count {
+        if matches!(change, Change::Count | Change::Back) {
             wrapped(source, &Source::Enumerate);
             let inner = std::mem::replace(&mut **pattern, Pattern::Any);
             **pattern = Pattern::Tuple(vec![Pattern::name(TAKEN), inner]);
-            let one = plain(Tree::Int("1".into(), Some(Scalar::Int(Int::Usize))));
-            let next = Tree::Binary(BinaryOp::Add, Box::new(local(TAKEN)), Box::new(one));
-            let next = Tree::Assign(None, Box::new(local(taken)), Box::new(plain(next)));
-            body.stmts.insert(0, Stmt::Expr(plain(next)));
+            let (counts, next) = match change {
+                Change::Back => (last_of(taken), local(TAKEN)),
+                _ => (taken.to_owned(), tree::Expr::successor(TAKEN, site)),
+            };
+            body.stmts.insert(0, Stmt::assigned(&counts, next, site));
         }
         wrapped(source, &|inner| match change {
             Change::End => Source::Take(inner, local(taken)),
             _ => Source::Skip(inner, local(taken)),
         });
+        if change == Change::Back {
+            wrapped(source, &Source::Rev);
+        }
         true
     }
 
-    /// Returns the author's own iterator that is the source of an iterator: its name and its local.
-    fn own_below(&mut self, through: &tree::Expr) -> Option<(String, LocalId)> {
-        let Source::Elements(of, _) = items_of(through)? else { return None };
-        let Tree::Local(name) = &of.kind else { return None };
-        self.own_next(&of)?;
-        let (meaning, span) = (self.meaning(&of)?, self.span(of.site));
-        Some((name.clone(), self.place_of(&meaning, span)?.root))
-    }
-
     /// Returns true for an adapter like `map`: a generator function with one loop over all items and no state.
-    fn is_for_each(&self, function: &tree::Function) -> bool {
+    pub(super) fn is_for_each(&self, function: &tree::Function) -> bool {
         let [Stmt::Expr(through)] = function.tree.body.stmts.as_slice() else { return false };
         function.tree.body.tail.is_none() && self.goes_through_all(function, through)
     }
@@ -455,13 +402,19 @@ impl<'a> Lowering<'a, '_> {
     ) -> Option<(Source, tree::Block)> {
         let ([item], value) = some_of(condition)? else { return None };
         let (function, [iterator]) = self.called(value)? else { return None };
-        let through = self.iterator_named(iterator).filter(|_| is_next(function))?;
+        let takes = is_next(function) || is_next_back(function);
+        let through = self.iterator_named(iterator).filter(|_| takes)?;
         let mut hand = self.hands.get(&through)?;
-        while let Some(within) = hand.within {
-            hand = self.hands.get(&within)?;
+        while hand.taken.is_none() || !hand.stateful {
+            match &hand.within[..] {
+                [] => break,
+                [(_, within)] => hand = self.hands.get(within)?,
+                // Two of them may have more passes than one.
+                _ => return None,
+            }
         }
         let (again, site) = (Rc::clone(&self.closures[hand.again]), condition.site);
-        let own = |inner: &mut Self| Ok(inner.own_below(&again.text.body).is_some());
+        let own = |inner: &mut Self| Ok(own_below(inner, &again.text.body).is_some());
         if self.in_scope_of(&again, None, site, own).ok()? {
             return None;
         }
@@ -489,6 +442,36 @@ pub(super) fn taking_next(
     let mut body = body.clone();
     body.stmts.insert(0, Stmt::Apart { pattern, value: next, otherwise, site });
     body
+}
+
+/// Refuses `next_back` of a counted iterator whose end no local has.
+pub(super) fn check_end(
+    lowering: &Lowering,
+    function: &tree::Function,
+    argument: &tree::Expr,
+) -> Result<()> {
+    let named = lowering.iterator_named(argument).and_then(|it| lowering.hands.get(&it));
+    match is_next_back(function) {
+        true if named.is_some_and(|hand| hand.last.is_none()) => {
+            refused(argument.site, refusals::BOTH_ENDS)
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Returns the name of the end of an iterator whose taken items this name counts.
+pub(super) fn last_of(taken: &str) -> String {
+    let number = taken.rsplit('%').next().unwrap_or_default();
+    format!("end%{number}")
+}
+
+/// Returns the author's own iterator that is the source of an iterator: its name and its local.
+fn own_below(lowering: &mut Lowering, through: &tree::Expr) -> Option<(String, LocalId)> {
+    let Source::Elements(of, _) = items_of(through)? else { return None };
+    let Tree::Local(name) = &of.kind else { return None };
+    lowering.own_next(&of)?;
+    let (meaning, span) = (lowering.meaning(&of)?, lowering.span(of.site));
+    Some((name.clone(), lowering.place_of(&meaning, span)?.root))
 }
 
 /// Returns an iterator that a function takes by `&mut`: the same one.
@@ -527,7 +510,7 @@ pub(super) fn is_next(function: &tree::Function) -> bool {
 }
 
 /// Returns the expression whose items an iterator yields unchanged; none for another iterator.
-fn all_of(through: &tree::Expr) -> Option<&tree::Expr> {
+pub(super) fn all_of(through: &tree::Expr) -> Option<&tree::Expr> {
     let Tree::Each { pattern, source, body, .. } = &through.kind else { return None };
     let Source::Elements(of, _) = &**source else { return None };
     let ([Stmt::Expr(last)], None) = (&body.stmts[..], &body.tail) else { return None };
@@ -555,7 +538,7 @@ fn counts_on(function: &tree::Function) -> bool {
 }
 
 /// Returns the innermost source of a counted iterator. It has at least one item for each item of the iterator.
-fn items_of(through: &tree::Expr) -> Option<Source> {
+pub(super) fn items_of(through: &tree::Expr) -> Option<Source> {
     let source = match &through.kind {
         Tree::Block(block) => match block.stmts.last()? {
             Stmt::Expr(through) => return items_of(through),
@@ -573,4 +556,25 @@ fn items_of(through: &tree::Expr) -> Option<Source> {
         }
         source => Some(source.clone()),
     }
+}
+
+/// Starts the generator function that an iterator calls. Returns its loop and the names of the locals that
+/// persist between items.
+fn started<'a>(
+    lowering: &mut Lowering<'a, '_>,
+    through: &Closure<'a>,
+    site: Site,
+) -> Result<Option<(Closure<'a>, Vec<String>)>> {
+    let Some(of) = all_of(&through.text.body) else { return Ok(None) };
+    lowering.in_scope_of(through, None, site, |inner| {
+        let Some((function, arguments)) = inner.expansion(of).filter(|it| counts_on(it.0)) else {
+            return Ok(None);
+        };
+        let Some(own) = inner.start(function, arguments, site)? else { return Ok(None) };
+        let kept = function.tree.body.stmts.iter().filter_map(|stmt| match stmt {
+            Stmt::Let { name, .. } => Some(name.clone()),
+            _ => None,
+        });
+        Ok(Some((own, kept.collect())))
+    })
 }

@@ -13,7 +13,7 @@ use bessemer_ir::{
     Argument, Expr, ExprKind, Function, FunctionId, Local, LocalId, Mode, Place, Role, Type,
 };
 
-use super::lowering::{Closure, Lowering, Scope, UNNAMED, local_since};
+use super::lowering::{Closure, Lowering, Scope, UNNAMED, Way, local_since};
 use super::scopes::{Names, meaning_in};
 use super::value::Value;
 use super::words;
@@ -163,7 +163,14 @@ impl<'a> Lowering<'a, '_> {
             expanding: Vec::new(),
             locals: None,
         };
-        Ok(Closure { text, source: self.source, scope, outermost: None, borrowed: false })
+        Ok(Closure {
+            text,
+            source: self.source,
+            scope,
+            outermost: None,
+            borrowed: false,
+            way: Way::Any,
+        })
     }
 
     /// Returns the copy of a function for some closures, and the captured variables as its arguments.

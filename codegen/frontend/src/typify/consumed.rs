@@ -123,8 +123,34 @@ pub(super) fn check_last(
     }
 }
 
+/// Returns the number of items that `len` returns, without a call of a closure; none for another function.
+pub(super) fn length_of_items(
+    lowering: &mut Lowering,
+    (function, arguments): Called,
+    site: Site,
+) -> Result<Option<Expr>> {
+    let [items] = arguments else { return Ok(None) };
+    if !standard::is_len(function) {
+        return Ok(None);
+    }
+    let known = match lowering.iterator_named(items) {
+        Some(named) => lowering.hands.get(&named).map_or(named, |hand| hand.again),
+        None => match lowering.gone_through(items)? {
+            Value::Closure(made) => made,
+            _ => return refused(site, refusals::UNKNOWN_LENGTH),
+        },
+    };
+    let through = (*lowering.closures[known]).clone();
+    let is_counted = lowering.hands.values().any(|hand| hand.again == known && hand.stateful);
+    let length = if is_counted { None } else { length_of(lowering, &through) };
+    match length {
+        Some(length) => Ok(Some(length)),
+        None => refused(site, refusals::UNKNOWN_LENGTH),
+    }
+}
+
 /// Returns true if an argument is `&mut iterator`.
-fn is_borrowed(lowering: &Lowering, argument: &tree::Expr) -> bool {
+pub(super) fn is_borrowed(lowering: &Lowering, argument: &tree::Expr) -> bool {
     let by_ref = |it: &Builtin| matches!(it, Builtin::Desugared(Desugared::ByRef));
     matches!(argument.kind, Tree::Ref(true, _))
         || lowering.builtin_call(argument).is_some_and(|(called, _)| by_ref(&called))

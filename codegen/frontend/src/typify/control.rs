@@ -31,7 +31,7 @@ impl Lowering<'_, '_> {
             return self.lowered(&other, target);
         }
         if let Some(expansion) = self.expansion(expr) {
-            if standard::is_comparison(expansion.0) {
+            if standard::is_comparison(expansion.0) || standard::is_len(expansion.0) {
                 return match target {
                     Some(target) => self.store(expr, target),
                     None => self.value(expr, None).map(drop),

@@ -125,6 +125,7 @@ impl Lowering<'_, '_> {
     fn name_item(&mut self, Item { pattern, of, index }: &Item, site: Site) -> Result<()> {
         let element = match of {
             Some(Kind::Elements(elements)) => elements.slice.at(index.clone()),
+            Some(Kind::Value(value)) => value.clone(),
             Some(Kind::Groups(slice, way, size)) => {
                 return self.name_group(pattern, slice, (*way, size), index.clone(), site);
             }
@@ -257,7 +258,7 @@ impl Lowering<'_, '_> {
     }
 
     /// Returns true if the loop iterates over an `Option`.
-    fn may_be_there(&mut self, of: &tree::Expr) -> bool {
+    pub(super) fn may_be_there(&mut self, of: &tree::Expr) -> bool {
         match (self.seen_as(of), &of.kind) {
             (Some(Ty::Option(_)), _) => true,
             (Some(Ty::Ref(inner, _)), _) => matches!(**inner, Ty::Option(_)),

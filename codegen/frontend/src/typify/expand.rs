@@ -11,9 +11,9 @@
 use bessemer_ir::tree::{self, Role, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, LogicOp, Type};
 
-use super::by_hand::borrowed;
+use super::by_hand::{borrowed, check_end};
 use super::call::Called;
-use super::consumed::{check_last, same_length};
+use super::consumed::{check_last, is_borrowed, length_of_items, same_length};
 use super::items::{begins_at_once, lent};
 use super::lowering::{Lowering, Scope, local_since};
 use super::syntax::generates;
@@ -46,6 +46,9 @@ impl<'a> Lowering<'a, '_> {
             Some(tail) => inner.value(tail, expected),
             None => Ok(inner.nothing(site)),
         };
+        if let Some(length) = length_of_items(self, called, site)? {
+            return Ok(length);
+        }
         let value = match same_length(self, called, site)? {
             Some(same) => {
                 let span = same.span;
@@ -94,10 +97,11 @@ impl<'a> Lowering<'a, '_> {
         param: &tree::Param,
         argument: &tree::Expr,
     ) -> Result<(String, Value)> {
-        let is_borrowed = param.items && matches!(argument.kind, tree::ExprKind::Ref(true, _));
+        let is_borrowed = param.items && is_borrowed(self, argument);
         let argument = if param.items { lent(argument) } else { argument };
         if param.items {
             self.check_settled((function, false), argument)?;
+            check_end(self, function, argument)?;
         }
         let meaning = match (param.items, param.mutable) {
             (true, _) if self.own_next(argument).is_some() => {
@@ -105,7 +109,7 @@ impl<'a> Lowering<'a, '_> {
             }
             (true, true) => {
                 let meaning = self.gone_through(argument)?;
-                self.by_hand(&param.name, meaning, &function.tree.body, argument.site)?
+                self.by_hand(&param.name, meaning, function, argument.site)?
             }
             (true, false) if begins_at_once(function) => self.gone_through_at_once(argument)?,
             (true, false) => self.gone_through(argument)?,

@@ -434,7 +434,7 @@ impl Lowering<'_, '_> {
             }
             if let Some(mut iterator) = self.iterator(value)? {
                 if mutable {
-                    iterator = self.by_hand(name, iterator, &self.source.tree.body, site)?;
+                    iterator = self.by_hand(name, iterator, self.source, site)?;
                 }
                 self.bind(name, iterator);
                 return Ok(());

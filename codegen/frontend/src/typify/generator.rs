@@ -17,10 +17,10 @@ use bessemer_ir::{Expr, Int, Scalar, StmtKind};
 use super::by_hand::{takes, taking_next};
 use super::call::Called;
 use super::closure_args::is_hidden;
-use super::consumed::{Sides, zipped};
+use super::consumed::{Sides, is_borrowed, zipped};
 use super::each::Each;
 use super::items::{self, handing};
-use super::lowering::{Closure, Lowering, local_since};
+use super::lowering::{Closure, Lowering, Way, local_since};
 use super::numbered::hands_on;
 use super::seq::{elements_through, pair};
 use super::syntax::generates;
@@ -67,6 +67,7 @@ impl<'a> Lowering<'a, '_> {
             } else if let Tree::Apply(name, arguments) = &of.kind {
                 By::Closure(name, arguments)
             } else if let Some(closure) = self.iterator_copied(of) {
+                let closure = from_the_end(self, source, of).unwrap_or(closure);
                 let through = Rc::clone(&self.closures[closure]);
                 // Elements stand beside others.
                 if leaves.len() > 1 && elements_through(&through).is_some() {
@@ -139,7 +140,16 @@ impl<'a> Lowering<'a, '_> {
             },
             By::Closure(..) => None,
         };
-        let going = |links| text.and_then(|text| going(links, text));
+        let way = match &by {
+            By::Argument(through) => through.way,
+            _ => Way::Any,
+        };
+        let going = |links: &Source| match (links, way) {
+            (Source::Elements(..), Way::Any | Way::Forward) => text.cloned(),
+            (Source::Rev(of), Way::Back) if matches!(**of, Source::Elements(..)) => text.cloned(),
+            (_, Way::Any) => text.and_then(|text| going(links, text)),
+            _ => None,
+        };
         let (links, counted) = match source {
             Source::Enumerate(of) if going(source).is_none() => (&**of, true),
             _ => (source, false),
@@ -266,6 +276,19 @@ impl<'a> Lowering<'a, '_> {
     }
 }
 
+/// Returns the closure by which a reversed source takes the items of a counted iterator. It is the reversed loop, or, if nothing
+/// takes more items afterwards, the loop that counts nothing.
+fn from_the_end(lowering: &Lowering, source: &Source, of: &tree::Expr) -> Option<usize> {
+    let Source::Rev(_) = source else { return None };
+    let named = lowering.iterator_named(of)?;
+    let hand = lowering.hands.get(&named)?;
+    let is_moved = !is_borrowed(lowering, of) && !lowering.closures[named].borrowed;
+    match hand.last {
+        Some((_, back)) => Some(back),
+        None => (is_moved && !hand.stateful).then_some(hand.again),
+    }
+}
+
 /// Returns the meanings of the parameters of `zip`: the first side ends where Rust takes no more of it.
 fn zip_arguments<'a>(
     lowering: &mut Lowering<'a, '_>,
@@ -285,12 +308,12 @@ fn zip_arguments<'a>(
         *one = zipped(lowering, &sides, body)?;
     }
     let name = &params[1].name;
-    let second = lowering.by_hand(name, second, &function.tree.body, other.site)?;
+    let second = lowering.by_hand(name, second, function, other.site)?;
     Ok(vec![first, (name.clone(), second)])
 }
 
 /// Returns a loop that yields each item after the given adapters; none if an adapter needs state.
-fn going(links: &Source, through: &tree::Expr) -> Option<tree::Expr> {
+pub(super) fn going(links: &Source, through: &tree::Expr) -> Option<tree::Expr> {
     let (of, counted) = match links {
         Source::Rev(of) => (of, false),
         Source::Enumerate(of) => (of, true),
@@ -371,7 +394,7 @@ const COUNTER: &str = "i%";
 const OTHERS: &str = "others%";
 
 /// Name of the number of the next item.
-const NUMBER: &str = "next%";
+pub(super) const NUMBER: &str = "next%";
 
 /// Returns a loop over the iterator that a closure's body returns.
 fn through(body: &tree::Expr) -> tree::Expr {

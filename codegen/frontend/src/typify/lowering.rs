@@ -102,7 +102,14 @@ impl<'a> Lowering<'a, '_> {
             expanding: self.expanding.clone(),
             locals: Some(self.locals.len()),
         };
-        Closure { text, source: self.source, scope, outermost: None, borrowed: false }
+        Closure {
+            text,
+            source: self.source,
+            scope,
+            outermost: None,
+            borrowed: false,
+            way: Way::Any,
+        }
     }
 
     /// Returns the closure that a name denotes, even if another meaning shadows it.
@@ -171,8 +178,23 @@ pub(super) struct Hand {
     pub local: LocalId,
     /// Names, in the tree, of locals that persist between items.
     pub kept: Vec<String>,
-    /// Closure of the counted iterator below an adapter that filters or changes items.
-    pub within: Option<usize>,
+    /// Closures of the counted iterators below an adapter, with their names in the tree.
+    pub within: Vec<(String, usize)>,
+    /// True for an adapter with state, of which `again` is read only to copy it.
+    pub stateful: bool,
+    /// For an iterator whose items are also taken from the end: the local that has the end, and the closure of its
+    /// reversed loop.
+    pub last: Option<(LocalId, usize)>,
+}
+
+/// The order in which the loop of an iterator can yield its items.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Way {
+    Any,
+    /// From the first to the last, since it continues from a state.
+    Forward,
+    /// From the last to the first: it is reversed already.
+    Back,
 }
 
 /// A closure that a name denotes in the current function.
@@ -186,6 +208,8 @@ pub(super) struct Closure<'a> {
     pub outermost: Option<(Option<String>, usize)>,
     /// True for an iterator that the caller passes by `&mut`.
     pub borrowed: bool,
+    /// The order in which its loop can yield its items.
+    pub way: Way,
 }
 
 /// Meaning of the names in a closure.

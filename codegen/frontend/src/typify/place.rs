@@ -5,7 +5,7 @@ use bessemer_ir::{Expr, ExprKind, Place, Span, Step, Type};
 
 use super::expr::{Operand, two};
 use super::lowering::{Lowering, RESULT, UNNAMED};
-use super::syntax::bare;
+use super::syntax::{bare, control_with_value};
 use super::value::{Value, step_to};
 use super::words;
 use super::{Needed, Result, problem, refusals, refused};
@@ -300,8 +300,11 @@ impl Lowering<'_, '_> {
         let mut place =
             value.map_or(Ok(None), |value| self.naming_as(naming, |inner| inner.place(value)))?;
         let exclusive = self.slot_is_exclusive(slot, site)?;
-        let called = |value: &tree::Expr| matches!(value.kind, tree::ExprKind::Apply(..));
-        let lent = value.filter(|value| lends(value) || called(value) && !exclusive);
+        // What a shared reference chooses is not written as long as it lives: a copy of it has the same value.
+        let chosen = |value: &tree::Expr| {
+            matches!(value.kind, tree::ExprKind::Apply(..)) || control_with_value(value)
+        };
+        let lent = value.filter(|value| lends(value) || chosen(value) && !exclusive);
         // What a call lends is not written while it is lent.
         if let (None, Some(lent)) = (&place, lent) {
             place = Some(self.held(lent)?);

@@ -8,7 +8,7 @@
 use std::rc::Rc;
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Grouping, Pattern, Site, Source};
-use bessemer_ir::{BinaryOp, CompareOp, Expr, Fault, Intrinsic, Span, Type};
+use bessemer_ir::{BinaryOp, CompareOp, Expr, Fault, Intrinsic, Place, Span, Type};
 
 use super::by_hand::takes;
 use super::lengths::{divided, greatest, least, lesser, minus, number, plus, same, times};
@@ -35,6 +35,8 @@ pub(super) struct Seq {
 
 pub(super) enum Kind {
     Elements(Elements),
+    /// The value of an `Option` or a `Result`, if there is one.
+    Value(Place),
     /// Numbers of a range without an end.
     Numbers(Numbers),
     /// Numbers of a range with an end, perhaps with a step.
@@ -220,6 +222,9 @@ impl Lowering<'_, '_> {
                 return self.in_scope_of(&named, None, site, |inner| inner.inner_seq(source, site));
             }
         }
+        if self.may_be_there(array) {
+            return value_there(self, array, owned, site);
+        }
         Ok(Seq::elements(self.slice_through(array)?, owned))
     }
 
@@ -388,7 +393,11 @@ impl Seq {
             Kind::StepBy(of, size) => {
                 return of.items_within(pattern, begin(index, size), (all, site));
             }
-            Kind::Numbers(_) | Kind::Steps(_) | Kind::Groups(..) | Kind::Chain(_) => index,
+            Kind::Numbers(_)
+            | Kind::Steps(_)
+            | Kind::Groups(..)
+            | Kind::Chain(_)
+            | Kind::Value(_) => index,
         };
         all.push(Item { pattern, of: Some(&self.kind), index });
         Ok(())
@@ -415,6 +424,27 @@ impl Seq {
             _ => self.items(pattern, plus(self.from.clone(), index), (all, site)),
         }
     }
+}
+
+/// Returns the value in an `Option` as a sequence of at most one item.
+fn value_there(
+    lowering: &mut Lowering,
+    option: &tree::Expr,
+    owned: bool,
+    site: Site,
+) -> Result<Seq> {
+    let mut place = lowering.base(option)?;
+    if owned {
+        place = lowering.hold_copy(words::OPTION, place);
+    }
+    let span = place.span;
+    let Type::Struct(id) = place.ty else { return refused(site, refusals::GONE_THROUGH) };
+    let name = lowering.going_on(id).or_refused(site, refusals::GONE_THROUGH)?;
+    let (word, case) = lowering.case(id, name).or_refused(site, refusals::GONE_THROUGH)?;
+    let field = case.field.or_refused(site, refusals::EMPTY_OPTION)?;
+    let count = lowering.tag_is(&place, id, word).cast(&Type::USIZE);
+    let value = lowering.part(&place, id, field as usize);
+    Ok(Seq::new(Kind::Value(value), Some(count), span))
 }
 
 /// Returns the two patterns of a pair.

@@ -186,7 +186,10 @@ impl<'a> Lowering<'a, '_> {
         };
         let given = self.given_to(function, arguments)?;
         self.inside(function, given, site, |inner| {
-            inner.stmts(&tree::Block { stmts: before.to_vec(), tail: None })?;
+            // Those of the DSL are made where the iterator is.
+            let is_assert = |it: &&Stmt| matches!(it, Stmt::Expr(_)) && is_of_library(function);
+            let stmts = before.iter().filter(|it| !is_assert(it)).cloned().collect();
+            inner.stmts(&tree::Block { stmts, tail: None })?;
             let mut each = each.clone();
             inner.settle_items(&mut each)?;
             let (name, parameters, body) = (None, Vec::new(), Box::new(each));

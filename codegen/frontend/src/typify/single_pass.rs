@@ -9,8 +9,29 @@ use bessemer_ir::{Block, Stmt, StmtKind};
 /// Returns the statements of a pass that leaves its loop at its end, without the loop. None if anything but an `if … {
 /// …; break; }` leaves it before.
 pub(super) fn single_pass(pass: &[Stmt]) -> Option<Block> {
+    without_breaks(&without_last(pass)?)
+}
+
+/// Removes the `break` at the end of each path; none if a path ends otherwise.
+fn without_last(pass: &[Stmt]) -> Option<Vec<Stmt>> {
     let (last, rest) = pass.split_last()?;
-    matches!(last.kind, StmtKind::Break).then(|| without_breaks(rest)).flatten()
+    let mut all = rest.to_vec();
+    match &last.kind {
+        StmtKind::Break => {}
+        StmtKind::If { condition, then, otherwise } => {
+            let [then, otherwise] = [without_last(&then.0)?, without_last(&otherwise.0)?];
+            let condition = condition.clone();
+            let (condition, then, otherwise) = match then.is_empty() {
+                true => (condition.negated(), otherwise, then),
+                false => (condition, then, otherwise),
+            };
+            let (then, otherwise) = (Block(then), Block(otherwise));
+            let kind = StmtKind::If { condition, then, otherwise };
+            all.extend([Stmt { kind, ..last.clone() }]);
+        }
+        _ => return None,
+    }
+    Some(all)
 }
 
 /// Moves statements after an `if … { …; break; }` into its `else`.

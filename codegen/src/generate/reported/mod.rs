@@ -61,7 +61,12 @@ fn diagnostic(message: &Message<'_>, words: Option<Words>, sources: &Sources) ->
         return Diagnostic { message: message.title.to_owned(), rustc, ..place };
     }
     let own = message.marks.iter().filter(|it| !it.is_primary && it.is_short_in(&place.file));
-    let also = own.map(|it| Place { start: it.start, end: it.end, label: types::shown(it.label) });
+    let also = own.map(|it| Place {
+        start: it.start,
+        end: it.end,
+        label: types::shown(it.label),
+        ..Place::default()
+    });
     Diagnostic {
         code: message.code.to_owned(),
         message: types::shown(message.title),

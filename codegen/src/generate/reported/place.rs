@@ -40,7 +40,7 @@ fn declaration(name: &str, file: &str, sources: &Sources) -> Option<Place> {
     let (line, text) = lines.into_iter().find(|(_, text)| is_declaration(text))?;
     let start = column(&text, name)?;
     let end = (line, start + name.chars().count() as u32);
-    Some(Place { start: (line, start), end, label: "declared here".to_owned() })
+    Some(Place { start: (line, start), end, label: "declared here".to_owned(), ..Place::default() })
 }
 
 /// Returns the column of a whole word in a line, from 1.

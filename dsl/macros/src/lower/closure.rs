@@ -17,11 +17,22 @@ use super::walk::Lowering;
 use super::{pattern, refuse};
 
 impl Lowering {
-    /// Lowers `let f = |x| …;` or `let f = f64::abs;`, and registers the name.
-    pub(super) fn closure_local(&mut self, local: &mut syn::Local) -> Option<tree::Stmt> {
-        let (site, init) = (site(&local.let_token), local.init.as_mut()?);
-        let mut value = self.argument(&mut init.expr);
-        let own = text(&pattern::simple_name(&mut local.pat, &mut self.refusals)?);
+    /// Lowers `let f = |x| …;` or `let f = f64::abs;`, and registers the name. A `move` closure uses copies of the
+    /// variables that may change.
+    pub(super) fn closure_local(&mut self, local: &mut syn::Local) -> Vec<tree::Stmt> {
+        let site = site(&local.let_token);
+        let Some(init) = local.init.as_mut() else { return Vec::new() };
+        let mut stmts = Vec::new();
+        let mut value = self.scoped(|walk| {
+            if let syn::Expr::Closure(closure) = &mut *init.expr {
+                stmts = walk.copies(closure);
+            }
+            walk.argument(&mut init.expr)
+        });
+        let Some(own) = pattern::simple_name(&mut local.pat, &mut self.refusals) else {
+            return stmts;
+        };
+        let own = text(&own);
         // Marked, so that a variable of its name that hides it is not taken for it.
         let name = self.hidden(&format!("{own}%"));
         self.bind_as(&own, &name);
@@ -29,7 +40,38 @@ impl Lowering {
         if let ExprKind::Closure(closure) = &mut value.kind {
             closure.name = Some(own);
         }
-        Some(tree::Stmt::Let { name, slot: NO_SLOT, value: Some(value), site, mutable: false })
+        stmts.push(tree::Stmt::Let {
+            name,
+            slot: NO_SLOT,
+            value: Some(value),
+            site,
+            mutable: false,
+        });
+        stmts
+    }
+
+    /// Declares a copy of each variable that a `move` closure captures and that may change, and binds its name in this
+    /// scope to the copy.
+    fn copies(&mut self, closure: &mut syn::ExprClosure) -> Vec<tree::Stmt> {
+        let Some(token) = closure.capture.take() else { return Vec::new() };
+        let parameter = |name: &str| closure.inputs.iter().any(|it| names(it, name));
+        let mut captured = self.mutable.clone();
+        captured.sort();
+        captured.dedup();
+        captured.retain(|name| names(&closure.body, name) && !parameter(name));
+        let site = site(&token);
+        let mut stmts = Vec::new();
+        for own in captured {
+            let Some(known) = self.local_name(&own).map(str::to_owned) else { continue };
+            if self.is_closure(&known) || self.is_called(&own) {
+                continue;
+            }
+            let name = self.hidden(&format!("{own}%"));
+            self.bind_as(&own, &name);
+            let value = Some(tree::Expr::local(&known, site));
+            stmts.push(tree::Stmt::Let { name, slot: NO_SLOT, value, site, mutable: true });
+        }
+        stmts
     }
 
     /// Returns true if an expression names a function: its last segment has no capitals, since a constant may begin

@@ -13,11 +13,11 @@ use super::syntax::{bare, fresh, is_plain, names};
 use super::walk::Lowering;
 use super::{macros, sort};
 use crate::numeric;
-use crate::owned::{ONCE, by_method, is_of_nalgebra};
+use crate::owned::{MADE, ONCE, by_method, is_of_nalgebra};
 
 /// Modules of core whose functions have companions, and these functions.
-const OF_CORE: [(&str, &[&str]); 3] =
-    [("array", &["from_fn"]), ("cmp", &["max", "min"]), ("mem", &["swap", "replace"])];
+const OF_CORE: [(&str, &[&str]); 4] =
+    [("array", &["from_fn"]), ("cmp", &["max", "min"]), MADE, ("mem", &["swap", "replace"])];
 
 impl Lowering {
     /// Returns the replacement of an expression; none if it has none.
@@ -25,6 +25,9 @@ impl Lowering {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
             syn::Expr::Call(it) => {
+                if let syn::Expr::Closure(_) = bare(&it.func) {
+                    return Some(self.called_at_once(it));
+                }
                 let syn::Expr::Path(function) = &*it.func else { return None };
                 let Some(method) =
                     by_method(it, numeric::is_of_num_traits).or_else(|| numeric::by_method(it))
@@ -85,6 +88,13 @@ impl Lowering {
         let turbofish = &path.segments.last()?.arguments;
         let path = quote_spanned! { span => ::bessemer::generate::#module::#name #turbofish };
         Some(parse_quote! { #path(#arguments) })
+    }
+
+    /// Replaces `(|x| …)(value)` by a closure with a name, and its call.
+    fn called_at_once(&self, it: &syn::ExprCall) -> syn::Expr {
+        let called = fresh("called", |name| self.is_local(name) || names(it, name));
+        let (closure, arguments) = (bare(&it.func), &it.args);
+        parse_quote! { { let mut #called = #closure; #called(#arguments) } }
     }
 
     /// Replaces `(a..b).contains(&x)` by comparisons.

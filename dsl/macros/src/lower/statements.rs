@@ -85,7 +85,7 @@ impl Lowering {
     }
 
     /// Lowers a `let`; the statements that record the types of its names go to `looks`.
-    fn local(&mut self, local: &mut syn::Local, looks: &mut Vec<syn::Stmt>) -> Option<tree::Stmt> {
+    fn local(&mut self, local: &mut syn::Local, looks: &mut Vec<syn::Stmt>) -> Vec<tree::Stmt> {
         let init = local.init.as_ref().filter(|it| it.diverge.is_none());
         let is_closure = init.is_some_and(|it| matches!(*it.expr, syn::Expr::Closure(_)));
         // What is changed is a value.
@@ -97,15 +97,16 @@ impl Lowering {
         let apart = takes_apart(local);
         if apart && local.init.is_none() {
             self.refusals.add(&local.pat, refuse::LATER);
-            return None;
+            return Vec::new();
         }
         if let syn::Pat::Type(typed) = &local.pat {
             signature::check_type(&typed.ty, &mut self.refusals);
         }
-        match apart {
+        let lowered = match apart {
             true => self.apart(local, looks),
             false => self.named(local, looks),
-        }
+        };
+        lowered.into_iter().collect()
     }
 
     /// Lowers `let name = value;` or `let name;`.
