@@ -41,7 +41,7 @@ void attitude_filter_level(double angle, double bias, attitude_filter_t *attitud
 /**
  * Predicts one period, s, from the measured rates, rad/s, with standard deviation `noise`, rad/s, and bias drift
  * `drift`, rad/s in a second.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const double measured[3],
     double period, double noise, double drift, double work[BESSEMER_RESTRICT 144]);
@@ -53,7 +53,7 @@ void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const do
  *
  * `moves` has a 1 for each part of the state that it may change, and 0 elsewhere: Joseph's form holds
  * for any gain.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, const double row[6],
     const double moves[6], double innovation, double variance, double gate,

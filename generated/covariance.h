@@ -45,7 +45,7 @@ void covariance_grown_3(const double covariance[9], const double advance[9], con
 
 /**
  * Propagates a covariance by the Jacobian `advance` and adds the process noise `growth`.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  *
  * `covariance`, `advance`, `growth`, `result` by columns: [row + 6 * column].
  */
@@ -64,7 +64,7 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
 /**
  * Corrects a covariance by a scalar measurement, in Joseph's form: (I − K h) P (I − K h)ᵀ + K r Kᵀ. `row` is h, `gain`
  * K, `variance` r.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  *
  * `covariance`, `result` by columns: [row + 6 * column].
  */

@@ -278,7 +278,7 @@ static double estimator_reset_timeout(const estimator_t *self)
 
 /**
  * Predicts the state over one period.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
     double work[BESSEMER_RESTRICT 144])
@@ -334,7 +334,7 @@ static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors
 
 /**
  * Corrects the state by Vicon's reading, if it is plausible.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
     const sensors_t *sensors, const measured_t *measured, double work[BESSEMER_RESTRICT 108])
@@ -369,7 +369,7 @@ static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
 
 /**
  * Corrects the attitude by Vicon's angles, one at a time; returns true if all were accepted.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 static bool estimator_correct_angles(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
     const double angles[3], double work[BESSEMER_RESTRICT 108])
@@ -428,7 +428,7 @@ static void estimator_inflate_covariance(estimator_t *self)
 /**
  * Corrects the state by the sources that replace Vicon. `echo_is_new` and `flow_is_new` say which of them
  * delivered.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 static void estimator_correct_without_vicon(estimator_t *BESSEMER_RESTRICT self,
     const sensors_t *sensors, const measured_t *measured, bool echo_is_new, bool flow_is_new,
@@ -481,7 +481,7 @@ static bool estimator_correct_height(estimator_t *BESSEMER_RESTRICT self, const 
 /**
  * Corrects the horizontal velocity by the camera's velocity along the body's axes, m/s; returns true if it was
  * accepted. The vertical velocity is the estimate.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 static bool estimator_correct_velocity(estimator_t *BESSEMER_RESTRICT self,
     const sensors_t *sensors, const double flow[2], const orientation_t *orientation,
@@ -542,7 +542,7 @@ static bool estimator_correct_velocity(estimator_t *BESSEMER_RESTRICT self,
 /**
  * Corrects roll and pitch by the direction of the specific force, which is vertical on average while the aircraft
  * hovers.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 static void estimator_tilt_from_force(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
     double work[BESSEMER_RESTRICT 108])
@@ -561,7 +561,7 @@ static void estimator_tilt_from_force(estimator_t *BESSEMER_RESTRICT self, const
 /**
  * Corrects roll and pitch by the horizontal acceleration, m/s², which has the direction of the thrust, while the
  * gyroscope is lost.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 static void estimator_tilt_from_acceleration(estimator_t *BESSEMER_RESTRICT self,
     const sensors_t *sensors, const double acceleration[3], double work[BESSEMER_RESTRICT 108])
@@ -576,7 +576,7 @@ static void estimator_tilt_from_acceleration(estimator_t *BESSEMER_RESTRICT self
 
 /**
  * Corrects roll and pitch by a measurement of both, rad. The yaw does not change.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 static void estimator_correct_tilt(estimator_t *BESSEMER_RESTRICT self, double roll, double pitch,
     double variance, double gate, double work[BESSEMER_RESTRICT 108])

@@ -105,7 +105,7 @@ void parameters_mambo(parameters_t *parameters);
 /**
  * Returns the parameters of the hexacopter at 200 Hz: the Mambo's gains scaled by mass and inertia, with a slower
  * attitude loop.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 void parameters_hexacopter(mixer_t *BESSEMER_RESTRICT work,
     parameters_t *BESSEMER_RESTRICT parameters);

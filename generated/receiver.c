@@ -186,7 +186,7 @@ static bool receiver_is_newer(const receiver_t *self, uint16_t number)
 
 /**
  * Executes a packet; returns true if it is valid.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 static bool receiver_take(receiver_t *BESSEMER_RESTRICT self, const space_t *space,
     const packet_t *packet, trajectory_t *BESSEMER_RESTRICT work)
@@ -302,7 +302,7 @@ static bool receiver_collect(receiver_t *BESSEMER_RESTRICT self, const space_t *
 
 /**
  * Activates the collected trajectory if it is valid and complete; returns true if so. The next one starts empty.
- * `work` is lent to work with: what it holds means nothing between calls.
+ * `work` is scratch memory; its contents mean nothing between calls.
  */
 static bool receiver_commit(receiver_t *BESSEMER_RESTRICT self, const space_t *space,
     const packet_t *packet, trajectory_t *BESSEMER_RESTRICT work)

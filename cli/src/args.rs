@@ -63,7 +63,7 @@ pub enum Task {
     Sizes(Sizes),
     /// List the checks for faults that are left in each entry point, and why
     Explain(Explain),
-    /// Write the folder that a reviewer reads: trace, requirements, coverage, faults, worst case, evidence
+    /// Write the folder that a reviewer reads: trace, requirements, coverage, faults, estimated cost, evidence
     Dossier(Dossier),
     /// Show the Rust of a line of the C, or the C of a line of Rust
     Where(Where),

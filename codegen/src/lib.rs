@@ -6,6 +6,6 @@
 pub mod compile;
 pub mod deep;
 pub mod derivatives;
+pub mod estimate;
 pub mod generate;
 pub mod remarks;
-pub mod worst;

@@ -6,8 +6,8 @@
 use bessemer_backend::c::interface::{Interface, Value};
 use bessemer_backend::c::names::Passing;
 use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::estimate::{self, Estimate};
 use bessemer_codegen::generate;
-use bessemer_codegen::worst::{self, Bound};
 use serde::Serialize;
 
 use crate::calls::Calls;
@@ -40,7 +40,7 @@ pub struct Content {
     pub functions: Vec<Function>,
     /// Loops with their numbers of passes.
     pub loops: Vec<Loop>,
-    /// Weights of the model of the worst case.
+    /// Weights of the model of the estimates.
     pub weights: Vec<[String; 4]>,
     /// Sizes by target.
     pub sizes: Vec<Sizes>,
@@ -135,7 +135,7 @@ pub struct Entry {
     pub state: u64,
     /// Operations in double and in 64 bits.
     pub wide: (usize, usize),
-    /// Bound of instructions, or the reason for none.
+    /// Estimate of instructions, or the reason for none.
     pub instructions: String,
     /// Bounds of cycles on each processor.
     pub cycles: Vec<[String; 2]>,
@@ -166,7 +166,7 @@ pub struct Function {
     pub stack: Option<u64>,
     /// Share of the largest stack, in percent.
     pub share: u64,
-    /// Bound of instructions, or a dash.
+    /// Estimate of instructions, or a dash.
     pub instructions: String,
     /// Functions that it calls.
     pub calls: Vec<String>,
@@ -235,7 +235,7 @@ pub fn grouped(number: u64) -> String {
 pub fn types(
     compiled: &Compiled,
     calls: &Calls,
-    bounds: &[Bound],
+    estimates: &[Estimate],
 ) -> (Vec<Component>, Vec<Component>, Vec<Enum>) {
     let face = &compiled.interface;
     let structure = |it: &bessemer_backend::c::interface::Struct| Component {
@@ -249,7 +249,7 @@ pub fn types(
             .iter()
             .map(|it| field(&it.name, &it.value, it.offset.int_enums.to_string(), &it.docs))
             .collect(),
-        entries: entries(compiled, &it.name, calls, bounds),
+        entries: entries(compiled, &it.name, calls, estimates),
     };
     let (components, structs): (Vec<_>, Vec<_>) = face
         .structs
@@ -271,15 +271,15 @@ pub fn types(
     )
 }
 
-fn entries(compiled: &Compiled, state: &str, calls: &Calls, bounds: &[Bound]) -> Vec<Entry> {
+fn entries(compiled: &Compiled, state: &str, calls: &Calls, estimates: &[Estimate]) -> Vec<Entry> {
     let reports = compiled.entries.iter().filter(|it| it.state == state);
     let entry = |report: &bessemer_backend::c::EntryReport| {
         let face = compiled.interface.entries.iter().find(|it| it.name == report.entry);
         let index = report.function.index();
         let left = generate::left(compiled, index);
-        let cost = bounds.get(index).and_then(|it| it.cost);
+        let cost = estimates.get(index).and_then(|it| it.cost);
         let cycles = cost.iter().flat_map(|cost| {
-            let pairs = worst::PROCESSORS.iter().zip(cost.cycles);
+            let pairs = estimate::PROCESSORS.iter().zip(cost.cycles);
             pairs.map(|(name, cycles)| [(*name).to_owned(), grouped(cycles)])
         });
         Entry {
@@ -321,7 +321,7 @@ pub fn functions(
     compiled: &Compiled,
     folder: &Folder,
     calls: &Calls,
-    bounds: &[Bound],
+    estimates: &[Estimate],
 ) -> Vec<Function> {
     let largest = compiled.functions.iter().map(|it| it.stack_bytes).max().unwrap_or(1).max(1);
     let mut list = Vec::new();
@@ -330,7 +330,7 @@ pub fn functions(
             let own = compiled.functions.iter().position(|it| it.name == function.name);
             let report = own.map(|at| &compiled.functions[at]);
             let bound =
-                report.and_then(|it| bounds.get(it.function.index())).and_then(|it| it.cost);
+                report.and_then(|it| estimates.get(it.function.index())).and_then(|it| it.cost);
             let row = file.counterpart(function.line).map(|(_, _, row)| row);
             let called = calls.0.get(&function.name);
             list.push(Function {
@@ -354,9 +354,9 @@ pub fn functions(
 }
 
 /// Returns the loops of all functions.
-pub fn loops(compiled: &Compiled, bounds: &[Bound]) -> Vec<Loop> {
+pub fn loops(compiled: &Compiled, estimates: &[Estimate]) -> Vec<Loop> {
     let file = |it: u32| compiled.explicit.files.get(it as usize).cloned().unwrap_or_default();
-    let mut list: Vec<Loop> = bounds
+    let mut list: Vec<Loop> = estimates
         .iter()
         .flat_map(|bound| &bound.loops)
         .map(|it| Loop {

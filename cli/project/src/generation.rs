@@ -6,8 +6,8 @@ use std::path::Path;
 use bessemer_backend::c::{CFile, EntryReport};
 use bessemer_backend::passes;
 use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::estimate;
 use bessemer_codegen::generate::{self, Job, Made};
-use bessemer_codegen::worst;
 use bessemer_frontend::diagnostic::{self, Diagnostic, Told};
 use bessemer_frontend::source::Sources;
 
@@ -129,8 +129,8 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
         ]
         .map(|(limit, found, what)| Figure { limit, whose: whose.clone(), found, what })
     });
-    let worst = worst_case(&made.compiled, limits.worst_instructions);
-    hold(project, figures.chain(worst), job.colour)?;
+    let estimated = estimated(&made.compiled, limits.estimated_instructions);
+    hold(project, figures.chain(estimated), job.colour)?;
     made.compiled.files.extend(parameter_tables(project, &made.compiled));
     if project.settings.build_files {
         let more = build_files::files(&made.compiled, &project.settings.options);
@@ -144,25 +144,25 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
     Ok(made)
 }
 
-/// Bounds of the instructions of each entry point, if there is a limit for them.
-fn worst_case(compiled: &Compiled, limit: Option<Limit>) -> Vec<Figure> {
+/// Estimates of the instructions of each entry point, if there is a limit for them.
+fn estimated(compiled: &Compiled, limit: Option<Limit>) -> Vec<Figure> {
     let Some(limit) = limit else { return Vec::new() };
-    let bounds = worst::bounds(&compiled.explicit);
+    let estimates = estimate::estimates(&compiled.explicit);
     let figure = |entry: &EntryReport| {
         let whose = format!("`{}`", entry.entry);
-        match bounds.get(entry.function.index()).and_then(|it| it.cost) {
+        match estimates.get(entry.function.index()).and_then(|it| it.cost) {
             Some(cost) => Figure {
                 limit: Some(limit),
                 whose,
                 found: cost.instructions,
-                what: "instructions in the worst case",
+                what: "estimated instructions",
             },
             None => {
                 let reached = passes::reached(&compiled.explicit, entry.function.index());
-                let loops = reached.iter().flat_map(|at| &bounds[*at].loops);
+                let loops = reached.iter().flat_map(|at| &estimates[*at].loops);
                 let unbounded = loops.filter(|it| it.passes.is_none()).count() as u64;
                 let none = Limit { most: 0, ..limit };
-                let what = "loops without a bound";
+                let what = "loops without a known number of passes";
                 Figure { limit: Some(none), whose, found: unbounded, what }
             }
         }

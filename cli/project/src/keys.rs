@@ -264,10 +264,10 @@ pub const KEYS: &[Key] = &[
         says: "The largest number of instructions of a call of an entry point, as `verify --target` counts them; more is an error.",
     },
     Key {
-        name: "limits.worst_instructions",
-        kind: Kind::Number(u32::MAX, |to, it| to.limits.worst_instructions = Some(it)),
+        name: "limits.estimated_instructions",
+        kind: Kind::Number(u32::MAX, |to, it| to.limits.estimated_instructions = Some(it)),
         default: "none",
-        says: "The largest bound of the instructions of an entry point, by the model of `cargo bessemer dossier`; more is an error, and so is a loop without a bound.",
+        says: "The largest estimate of the instructions of an entry point on its longest path, by the model of `cargo bessemer dossier`, which is no bound; more is an error, and so is a loop without a known number of passes.",
     },
     Key {
         name: "limits.text_bytes",

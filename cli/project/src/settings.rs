@@ -40,8 +40,8 @@ pub struct Limits {
     pub checks: Option<Limit>,
     /// Instructions of a call of an entry point on an emulated processor.
     pub instructions: Option<Limit>,
-    /// Bound of the instructions of an entry point, by the model of the worst case.
-    pub worst_instructions: Option<Limit>,
+    /// Estimate of the instructions of an entry point, by the model of the dossier.
+    pub estimated_instructions: Option<Limit>,
     /// Bytes of instructions and constants of all the C on such a processor.
     pub text_bytes: Option<Limit>,
 }

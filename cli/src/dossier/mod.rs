@@ -10,8 +10,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::estimate::{self, Estimate};
 use bessemer_codegen::generate;
-use bessemer_codegen::worst::{self, Bound};
 use bessemer_dossier::calls::Calls;
 use bessemer_dossier::change::{self, Version};
 use bessemer_dossier::content::{self, Content, Outcome};
@@ -129,7 +129,7 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
     current(&job.output, &compiled)?;
     let c = Folder::read(&job.output)?;
     let calls = Calls::of(&c);
-    let bounds = worst::bounds(&compiled.explicit);
+    let estimates = estimate::estimates(&compiled.explicit);
 
     let mut results = vec![checks::current(&compiled)];
     let mut of_tests = Results::new();
@@ -192,7 +192,7 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
         change,
         evidence: Evidence::of(&c, &lock, &project.package.name),
         traced: traced(&c),
-        ..content(&compiled, &c, &calls, &bounds, matrix)
+        ..content(&compiled, &c, &calls, &estimates, matrix)
     };
     let files = files(&project, &c, &content, &lock)?;
     output::write(&place, &files).map_err(Wrong::from)?;
@@ -208,20 +208,20 @@ fn content(
     compiled: &Compiled,
     c: &Folder,
     calls: &Calls,
-    bounds: &[Bound],
+    estimates: &[Estimate],
     matrix: Matrix,
 ) -> Content {
-    let (components, structs, enums) = content::types(compiled, calls, bounds);
+    let (components, structs, enums) = content::types(compiled, calls, estimates);
     let number = |it: u64| it.to_string();
-    let weights = worst::WEIGHTS.map(|(_, name, instructions, a9, m4f)| {
+    let weights = estimate::WEIGHTS.map(|(_, name, instructions, a9, m4f)| {
         [name.to_owned(), number(instructions), number(a9), number(m4f)]
     });
     Content {
         components,
         structs,
         enums,
-        functions: content::functions(compiled, c, calls, bounds),
-        loops: content::loops(compiled, bounds),
+        functions: content::functions(compiled, c, calls, estimates),
+        loops: content::loops(compiled, estimates),
         weights: weights.to_vec(),
         matrix,
         ..Content::default()

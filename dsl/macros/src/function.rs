@@ -24,8 +24,8 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     };
     let depth = attributes::depth(&arguments);
     let derivative = attributes::derivative(&arguments);
-    let is_derivative = syn::parse2::<syn::MetaList>(arguments.clone())
-        .is_ok_and(|list| list.path.is_ident("derivative"));
+    let is_derivative = syn::parse2::<syn::Meta>(arguments.clone())
+        .is_ok_and(|it| it.path().is_ident("derivative"));
     if is_derivative && derivative.is_none() {
         refusals.add(&arguments, refuse::DERIVATIVE);
     } else if !arguments.is_empty() && role == Role::Public && depth == 0 && !is_derivative {

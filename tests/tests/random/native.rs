@@ -171,7 +171,9 @@ fn build_anew(workspace: &Workspace, own: &Path) -> Result<(), String> {
     }
     let said = messages.iter().filter(|it| it["message"]["level"] == "error");
     let said: String = said.filter_map(|it| it["message"]["rendered"].as_str()).collect();
-    assert!(!said.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+    // Without an error of rustc, cargo was ended, or its own message says why it failed.
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(!said.is_empty(), "cargo: {}: {stderr}", output.status);
     Err(said)
 }
 

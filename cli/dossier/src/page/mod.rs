@@ -22,7 +22,7 @@ pub const SECTIONS: [(&str, &str); 15] = [
     ("types", "Types"),
     ("faults", "Faults left"),
     ("functions", "Functions and stack"),
-    ("worst", "Worst case"),
+    ("worst", "Estimated cost"),
     ("sizes", "Sizes"),
     ("requirements", "Requirements"),
     ("coverage", "Coverage"),

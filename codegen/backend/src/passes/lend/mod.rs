@@ -82,10 +82,9 @@ fn lend_body(
     let names = row_names(module, &need);
     let function = &mut module.functions[index];
     let said = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-    let (is, holds) = if names.len() == 1 { ("is", "it holds") } else { ("are", "they hold") };
-    function
-        .docs
-        .push(format!("{said} {is} lent to work with: what {holds} means nothing between calls."));
+    let (is, its) = if names.len() == 1 { ("is", "its") } else { ("are", "their") };
+    let text = format!("{said} {is} scratch memory; {its} contents mean nothing between calls.");
+    function.docs.push(text);
     let taken: Vec<LocalId> =
         need.iter().zip(names).map(|(row, name)| take(function, name, row.ty())).collect();
     let row = |laid: &Laid| Place {

@@ -1,10 +1,10 @@
-//! Bounds of the instructions and cycles of each function, from the explicit IR by a stated model.
+//! Estimates of the instructions and cycles of each function on its longest path, from the explicit IR by a stated model.
 //!
 //! The model counts operations on the longest path: of a branch the longer side, of a loop the most passes. Each operation
-//! has the weights of its [`Class`]. The weights are generous for gcc at `-O2`; caches, interrupts and wait states of
-//! memory are not in them.
+//! has the weights of its [`Class`]. The weights are not calibrated, so an estimate is no bound: measured calls have
+//! exceeded it. Caches, interrupts and wait states of memory are not in it.
 //!
-//! Invariant: a loop without a known number of passes has no bound, and neither have the functions that reach it.
+//! Invariant: a loop without a known number of passes has no estimate, and neither have the functions that reach it.
 
 mod passes;
 mod weights;
@@ -18,9 +18,9 @@ use passes::Known;
 pub use passes::Source;
 pub use weights::{Class, Cost, PROCESSORS, WEIGHTS};
 
-/// Bound of a function.
+/// Estimate of a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Bound {
+pub struct Estimate {
     /// Instructions and cycles; none if a loop has no known number of passes.
     pub cost: Option<Cost>,
     /// Loops of the function.
@@ -38,14 +38,14 @@ pub struct Loop {
     pub source: Source,
 }
 
-/// Returns the bound of each function of a module in explicit IR, in its order.
-pub fn bounds(module: &Module) -> Vec<Bound> {
-    let mut bounds: Vec<Bound> = Vec::new();
+/// Returns the estimate of each function of a module in explicit IR, in its order.
+pub fn estimates(module: &Module) -> Vec<Estimate> {
+    let mut estimates: Vec<Estimate> = Vec::new();
     for function in &module.functions {
         let mut counter = Counter {
             module,
             function,
-            callees: &bounds,
+            callees: &estimates,
             known: Known::new(module, function),
             loops: Vec::new(),
         };
@@ -54,15 +54,15 @@ pub fn bounds(module: &Module) -> Vec<Bound> {
             None => counter.block(&function.body),
         };
         let loops = counter.loops;
-        bounds.push(Bound { cost, loops });
+        estimates.push(Estimate { cost, loops });
     }
-    bounds
+    estimates
 }
 
 struct Counter<'a> {
     module: &'a Module,
     function: &'a Function,
-    callees: &'a [Bound],
+    callees: &'a [Estimate],
     known: Known<'a>,
     loops: Vec<Loop>,
 }
