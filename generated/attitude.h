@@ -8,8 +8,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared. Storage that a call writes through one argument is no other argument's:
- * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
+ * elements as are declared. What a call writes through one argument is no other argument's, unless a
+ * comment says so: else it is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef ATTITUDE_H
 #define ATTITUDE_H
@@ -34,9 +34,7 @@ void attitude_init(attitude_t *self);
 
 /**
  * Advances one control period and returns the torques about the axes of roll, pitch and yaw, N·m. On the ground
- * the integrals are frozen. No enum is checked, since no status is returned.
- * A value that is no enumerator takes the last case of each switch.
- * Elsewhere it counts as the last enumerator: `parameters.candidate` as `CANDIDATE_GEOMETRIC`.
+ * the integrals are frozen.
  */
 void attitude_step(attitude_t *BESSEMER_RESTRICT self, const parameters_t *parameters,
     const double error[3], const double error_rate[3], bool grounded,

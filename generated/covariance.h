@@ -9,8 +9,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared. Storage that a call writes through one argument is no other argument's:
- * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
+ * elements as are declared. What a call writes through one argument is no other argument's, unless a
+ * comment says so: else it is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef COVARIANCE_H
 #define COVARIANCE_H
@@ -39,6 +39,7 @@ void covariance_diagonal_6(const double values[6], double all[BESSEMER_RESTRICT 
  * Propagates a covariance by the Jacobian `advance` and adds the process noise `growth`.
  *
  * `covariance`, `advance`, `growth`, `result` by columns: [row + 3 * column].
+ * `result` may lie in `covariance`, which is read before it is written.
  */
 void covariance_grown_3(const double covariance[9], const double advance[9], const double growth[9],
     double result[9]);
@@ -48,6 +49,7 @@ void covariance_grown_3(const double covariance[9], const double advance[9], con
  * `work` is scratch memory; its contents mean nothing between calls.
  *
  * `covariance`, `advance`, `growth`, `result` by columns: [row + 6 * column].
+ * `result` may lie in `covariance`, which is read before it is written.
  */
 void covariance_grown_6(const double covariance[36], const double advance[36],
     const double growth[36], double work[BESSEMER_RESTRICT 72], double result[36]);
@@ -57,6 +59,7 @@ void covariance_grown_6(const double covariance[36], const double advance[36],
  * K, `variance` r.
  *
  * `covariance`, `result` by columns: [row + 3 * column].
+ * `result` may lie in `covariance`, which is read before it is written.
  */
 void covariance_corrected_3(const double covariance[9], const double row[3], const double gain[3],
     double variance, double result[9]);
@@ -67,6 +70,7 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
  * `work` is scratch memory; its contents mean nothing between calls.
  *
  * `covariance`, `result` by columns: [row + 6 * column].
+ * `result` may lie in `covariance`, which is read before it is written.
  */
 void covariance_corrected_6(const double covariance[36], const double row[6], const double gain[6],
     double variance, double work[BESSEMER_RESTRICT 108], double result[36]);

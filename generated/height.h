@@ -8,8 +8,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared. Storage that a call writes through one argument is no other argument's:
- * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
+ * elements as are declared. What a call writes through one argument is no other argument's, unless a
+ * comment says so: else it is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef HEIGHT_H
 #define HEIGHT_H
@@ -31,12 +31,7 @@ typedef struct {
 /** Sets the initial state; call it before anything else. */
 void height_init(height_t *self);
 
-/**
- * Advances one control period and returns the commanded thrust (thesis, eq. (3.14)), N.
- * No enum is checked, since no status is returned.
- * A value that is no enumerator takes the last case of each switch.
- * Elsewhere it counts as the last enumerator: `parameters.candidate` as `CANDIDATE_GEOMETRIC`.
- */
+/** Advances one control period and returns the commanded thrust (thesis, eq. (3.14)), N. */
 double height_step(height_t *BESSEMER_RESTRICT self, const parameters_t *parameters,
     const target_t *target, double height, double climb);
 

@@ -8,8 +8,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared. Storage that a call writes through one argument is no other argument's:
- * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
+ * elements as are declared. What a call writes through one argument is no other argument's, unless a
+ * comment says so: else it is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef ONBOARD_H
 #define ONBOARD_H
@@ -147,7 +147,7 @@ void onboard_init(onboard_t *self);
 /**
  * Advances one period. No enum is checked, since no status is returned.
  * A value that is no enumerator takes the last case of each switch.
- * Elsewhere it counts as the last enumerator: `settings.airframe.layout` as `LAYOUT_CROSS`, `settings.parameters.candidate` as `CANDIDATE_GEOMETRIC`, `settings.injection.profile` as `PROFILE_SIGMOID`.
+ * Elsewhere it counts as the last enumerator: `settings.parameters.candidate` as `CANDIDATE_GEOMETRIC`, `settings.injection.profile` as `PROFILE_SIGMOID`.
  */
 void onboard_step(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
     const inputs_t *inputs, onboard_step_work_t *BESSEMER_RESTRICT work,

@@ -184,7 +184,7 @@ fn unchecked(module: &Module) -> impl Iterator<Item = Diagnostic> + '_ {
     module.functions.iter().filter(infallible).flat_map(move |function| {
         let mut warnings: Vec<Diagnostic> = Vec::new();
         let mut last = None;
-        for it in outside::enums(module, function) {
+        for it in outside::read(module, function) {
             let of = &module.enums[it.id.index()];
             let (Some(parameter), Some(variant)) =
                 (function.parameters().get(it.parameter), of.variants.last())

@@ -90,7 +90,7 @@ pub fn function(
     lines
 }
 
-/// Adds the enums that an entry point without a status cannot check, with the meaning of an invalid value.
+/// Adds the enums that an entry point without a status reads and cannot check, with the meaning of an invalid value.
 fn unchecked(
     module: &Module,
     names: &Names,
@@ -112,7 +112,7 @@ fn unchecked(
         let counts = own.get(module.enums[it.id.index()].fallback()).filter(|_| own.len() > 1)?;
         Some(format!("`{}{path}` as `{counts}`", parameter.name))
     };
-    let (chosen, left): (Vec<_>, Vec<_>) = outside::enums(module, function)
+    let (chosen, left): (Vec<_>, Vec<_>) = outside::read(module, function)
         .into_iter()
         .partition(|it| module.enums[it.id.index()].has_fallback());
     let chosen: Vec<String> = chosen.iter().filter_map(shown).collect();

@@ -3,9 +3,10 @@
 //!
 //! A pointer to what a function writes is `restrict` if the function has another pointer, so compilers report a call
 //! that breaks the promise. Kernels do without: there it costs registers. So do pointers for which a call within the
-//! C is not proved to keep it ([`disjoint`]). Must not know: how functions are lowered.
+//! C is not proved to keep it ([`disjoint`]). If such a function reads a parameter only before it writes its result
+//! ([`late`](crate::late)), its comment says that they may share memory. Must not know: how functions are lowered.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::draft::Draft;
 use crate::c::assemble::assemble;
@@ -16,7 +17,8 @@ use crate::c::options::Options;
 use crate::c::shell::Shell;
 use crate::c::spelling::identifier;
 use crate::c::tree::{Head, Item, Storage};
-use bessemer_ir::Form;
+use crate::late::early;
+use bessemer_ir::{Form, FunctionId};
 
 /// Writes the promises into the files, and returns the header of their macros if one is used.
 pub(super) fn write(
@@ -29,17 +31,22 @@ pub(super) fn write(
     let functions = context.module.functions.iter().zip(&context.names.functions);
     let kernels: BTreeSet<&str> =
         functions.filter(|(it, _)| it.kernel.is_some()).map(|(_, it)| it.name.as_str()).collect();
+    let in_place = in_place(context, &unproved);
     let macros = Macros::new(options);
     let header = options.header(&format!("{}_calls", identifier(&options.status)));
     let mut used = false;
     for draft in drafts {
         let mut own = false;
         for item in &mut draft.items {
-            let (head, declared) = match item {
-                Item::Prototype { head, .. } => (head, true),
-                Item::Function { head, .. } => (head, false),
+            let (head, docs, declared) = match item {
+                Item::Prototype { head, docs, .. } => (head, docs, true),
+                Item::Function { head, docs, .. } => (head, docs, false),
                 _ => continue,
             };
+            // The comment is at the declaration of what other files call, and at the definition of the rest.
+            if declared == (head.storage == Storage::Extern) {
+                docs.extend(in_place.get(&head.name).cloned());
+            }
             if matches!(head.storage, Storage::Extern | Storage::Static) {
                 own |= !kernels.contains(head.name.as_str())
                     && restrict(head, &macros.restrict, &unproved);
@@ -58,6 +65,34 @@ pub(super) fn write(
         used |= own;
     }
     used.then(|| macros.header(context, options, &header))
+}
+
+/// Returns sentences about results that may share memory with a parameter, by the function's name: those for which the
+/// C itself has such a call.
+fn in_place(context: Context<'_>, unproved: &BTreeSet<Pair>) -> BTreeMap<String, String> {
+    let mut said = BTreeMap::new();
+    for (index, function) in context.module.functions.iter().enumerate() {
+        let id = FunctionId(index as u32);
+        let signature = context.names.signature(id);
+        let params = &context.names.head(signature).params;
+        let Some(result) = params.get(function.params as usize) else { continue };
+        let early = early(function, context.faults.fallible(id));
+        let called = |at: &usize| {
+            let pair = |one, other| (signature.name.clone(), one, other);
+            let last = function.params as usize;
+            unproved.contains(&pair(last, *at)) || unproved.contains(&pair(*at, last))
+        };
+        let one = (0..function.params as usize).filter(|at| early.has(*at) && called(at));
+        let names: Vec<String> = one.map(|at| format!("`{}`", params[at].name)).collect();
+        if !names.is_empty() {
+            let or = names.join(" or ");
+            said.insert(
+                signature.name.clone(),
+                format!("`{}` may lie in {or}, which is read before it is written.", result.name),
+            );
+        }
+    }
+    said
 }
 
 /// Returns the fields that share memory with other fields.
