@@ -135,6 +135,12 @@ fn a_name_goes_where_it_is_read_as_often_as_one_likes() {
     assert!(
         of("let t0: u8 = n; let t1: u8 = t0; m = t1; n = 0u8; return t1;").starts_with("let t0")
     );
+    // A read of a name of a name in a loop is followed by the writes of the loop.
+    for reads in ["m = t1;", "m = t1; x = t1;"] {
+        stays(&format!(
+            "let t: u8 = n; for i: u8 in 0u8..2u8 {{ let t1: u8 = t; {reads} n = i; }} return m;"
+        ));
+    }
     // What a branch computes may have to be computed before it.
     stays("let t: u8 = n & 1u8; if m == 0u8 { return t; } return 0u8;");
     assert_eq!(
@@ -192,6 +198,106 @@ fn a_check_goes_where_the_use_of_its_index_repeats_it() {
             return add(&mut a[t0], &t1);"),
         "return add(&mut a[n & 3u8], &m + 1u8);"
     );
+}
+
+#[test]
+fn what_moves_into_a_check_has_no_effect() {
+    let of = |value: &str| of(&format!("let t: u8 = {value}; check t == 0u8 else absent; return m;"));
+    assert_eq!(of("n & 7u8"), "check n & 7u8 == 0u8 else absent; return m;");
+    for value in ["bump(&mut n)", "a[n]"] {
+        assert!(of(value).starts_with("let t: u8"), "{}", of(value));
+    }
+}
+
+#[test]
+fn a_check_that_an_earlier_one_repeats_goes() {
+    let checks = |between: &str| {
+        let check = "check n < 4u8 else index;";
+        of(&format!("{between} {check} x = 0u8; return a[n];")).matches("check").count()
+    };
+    assert_eq!(checks(""), 1);
+    assert_eq!(checks("check n < 4u8 else index; x = 1u8;"), 1);
+    // In a branch, of another length, and of an index that is written since.
+    for between in [
+        "if m == 0u8 { check n < 4u8 else index; x = 1u8; }",
+        "check n < 5u8 else index; x = 1u8;",
+        "check n < 4u8 else index; x = 1u8; n = m;",
+    ] {
+        assert_eq!(checks(between), 2, "{between}");
+    }
+}
+
+#[test]
+fn a_use_behind_a_check_misses_nothing() {
+    let goes = |before: &str| {
+        !of(&format!("{before} let t: u8 = a[n]; m = m + 1u8; return t & m;")).contains("let t")
+    };
+    assert!(goes("check n < 4u8 else index;"));
+    for before in [
+        "",
+        "check n < 5u8 else index;",
+        "check n < 4u8 else index; n = m;",
+        "x = a[n]; check n < 4u8 else index;",
+        "if m == 0u8 { check n < 4u8 else index; }",
+    ] {
+        assert!(!goes(before), "{before}");
+    }
+}
+
+#[test]
+fn a_counter_is_below_the_end_of_its_loop() {
+    // A fault stays before an index that may be out of range.
+    let stays = |range: &str| {
+        let body = "let t: u8 = n + 1u8; m = a[i]; m = m & t;";
+        of(&format!("for i: u8 in {range} {{ {body} }} return m;")).contains("let t")
+    };
+    for within in ["0u8..4u8", "0u8..=3u8", "2u8..4u8", "rev 0u8..4u8"] {
+        assert!(!stays(within), "{within}");
+    }
+    for beyond in ["0u8..5u8", "0u8..=4u8", "0u8..n"] {
+        assert!(stays(beyond), "{beyond}");
+    }
+    let checked = |range: &str| {
+        of(&format!("for i: u8 in {range} {{ check i < 4u8 else index; x = i; }} return m;"))
+            .contains("check")
+    };
+    assert!(!checked("0u8..4u8"));
+    assert!(checked("0u8..5u8"));
+}
+
+#[test]
+fn a_word_of_an_array_is_read_once_and_an_aggregate_in_its_place() {
+    let kept = "let t: u8 = a[1]; m = t; return t;";
+    assert_eq!(of(kept), kept);
+    let rows = |body: &str| {
+        fused(&format!(
+            "module demo
+
+fn sum in demo(rows: [[u8; 2]; 3], n: usize, m: u8) -> u8 as total {{
+  {body}
+}}
+"
+        ))
+    };
+    let read = "m = t[0]; return t[1] & m;";
+    assert_eq!(
+        rows(&format!("check n < 3 else index; let t: [u8; 2] = rows[n]; {read}")),
+        "check n < 3 else index; m = rows[n][0]; return rows[n][1] & m;"
+    );
+    for kept in [
+        format!("let t: [u8; 2] = rows[n]; {read}"),
+        "check n < 3 else index; let t: [u8; 2] = rows[n]; m = t[0]; rows[0][1] = 1u8; return t[1] & m;".into(),
+    ] {
+        assert!(rows(&kept).contains("let t"), "{kept}: {}", rows(&kept));
+    }
+    // Each read of the aggregate reads its index, too.
+    for index in ["n", "n & 1"] {
+        let found = rows(&format!(
+            "let t0: usize = {index}; check t0 < 3 else index; let t1: [u8; 2] = rows[t0]; \
+             m = t1[0]; n = 0; return t1[1] & m;"
+        ));
+        assert!(found.starts_with("let t0") && !found.contains("let t1"), "{found}");
+    }
 }
 
 #[test]
