@@ -199,7 +199,8 @@ impl<'ast> Visit<'ast> for Uses<'_> {
 }
 
 /// Functions that name a temporary or a hidden local; the word changes only the text of the C.
-const NAMING: [&str; 22] = [
+const NAMING: [&str; 21] = [
+    "assigned",
     "atom",
     "atom_place",
     "below",
@@ -218,10 +219,8 @@ const NAMING: [&str; 22] = [
     "mutable_place",
     "once",
     "part_copied",
+    "role_name",
     "steady_index",
-    "temporary",
-    "temporary_name",
-    "temporary_place",
 ];
 
 /// The file of a folder that has nothing but words for the C. Such a word counts where something is compared with it.
@@ -423,7 +422,7 @@ fn words_count_and_texts_do_not() {
 fn names_of_temporaries_decide_nothing() {
     let found = |body: &str| deciding(&format!("fn f() {{ {body} }}"), &[]);
     assert_eq!(
-        found("walk.temporary(\"end\", is(\"rev\")); fresh(\"at\"); hold(\"by\");"),
+        found("walk.atom(\"end\", is(\"rev\")); fresh(\"at\"); hold(\"by\");"),
         ["rev", "by"]
     );
     assert_eq!(found("fresh(if name == \"min\" { \"least\" } else { x });"), ["min", "least"]);

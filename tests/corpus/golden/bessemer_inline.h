@@ -1028,8 +1028,7 @@ static inline uint64_t bessemer_search_partition_point_in_binary_search_u8(const
             break;
         }
         const uint8_t value = values[middle];
-        const bool is_first = value < wanted;
-        if (is_first) {
+        if (value < wanted) {
             from = middle + UINT64_C(1);
             left = left - left / UINT64_C(2) - UINT64_C(1);
         } else {

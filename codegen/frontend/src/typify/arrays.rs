@@ -99,7 +99,7 @@ impl Lowering<'_, '_> {
             return self.node(written_out(&source, &ty, (outer, inner), span), ty, expr.site);
         }
         let whole = self.zero(&ty, span);
-        let result = self.temporary_place("elements", whole);
+        let result = self.assigned("elements", whole);
         let copy = |walk: &mut Self, at: &[Expr]| {
             let (place, value) = (cell(&result, at, span), cell(&source, at, span).load());
             walk.emit(StmtKind::Assign { place, value }, span);

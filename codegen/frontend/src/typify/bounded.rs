@@ -215,7 +215,7 @@ impl Lowering<'_, '_> {
         let option = struct_of(&ty, site, "an `Option`")?;
         let list = self.list(list)?;
         let none = self.choice(option, 0, None, site)?;
-        let place = self.temporary_place("popped", none);
+        let place = self.assigned("popped", none);
         let held = place.load();
         let some = self.choice(option, 1, Some(list.at([list.length.load()]).load()), site)?;
         let then = vec![
@@ -288,7 +288,7 @@ impl Lowering<'_, '_> {
         let capacity = Expr::usize(u64::from(list.capacity), span);
         let room = Expr::compare(CompareOp::Le, length.clone(), capacity).at(span);
         self.check(room, Fault::Capacity, span);
-        let before = self.temporary("before", list.length.load());
+        let before = self.atom("before", list.length.load());
         let variable = self.local("i", Type::USIZE, span);
         let place = list.at([Expr::local(variable, &Type::USIZE, span)]);
         let body = Block::of(StmtKind::Assign { place, value }, span);

@@ -128,7 +128,7 @@ impl<'a> Lowering<'a, '_> {
                 None => {
                     self.not_coords(argument)?;
                     let value = self.value(argument, Some(ty))?;
-                    Argument::RefMut(self.temporary_place(words::ARGUMENT, value))
+                    Argument::RefMut(self.assigned(words::ARGUMENT, value))
                 }
             },
             Mode::Ref => {

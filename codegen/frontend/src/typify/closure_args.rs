@@ -298,9 +298,9 @@ impl<'a> Lowering<'a, '_> {
         }
         // The value is held: its operands may be written before it is used. If it has no name, it takes the closure's.
         if self.naming != UNNAMED {
-            return Ok(self.temporary("value", value));
+            return Ok(self.atom("value", value));
         }
-        Ok(self.naming_as("", |inner| inner.temporary(name, value)))
+        Ok(self.naming_as("", |inner| inner.atom(name, value)))
     }
 
     /// Lowers a condition. The result of an inlined closure is tested directly, without a temporary.
@@ -414,8 +414,8 @@ impl<'a> Lowering<'a, '_> {
         // In a place of its own: the body may write to what it was computed from.
         let value = match name {
             _ if matches!(taken, Some(Ty::Ref(..))) => value,
-            Some((name, _)) => self.naming_as("", |inner| inner.temporary(name, value)),
-            None => self.temporary(words::ARGUMENT, value),
+            Some((name, _)) => self.naming_as("", |inner| inner.atom(name, value)),
+            None => self.atom(words::ARGUMENT, value),
         };
         Ok(self.value_subject(value))
     }
@@ -487,6 +487,10 @@ impl<'a> Lowering<'a, '_> {
                     || stays.is_some_and(|own| place.root.index() >= own)) =>
             {
                 self.locals[place.root.index()].name.clone_from(name);
+                // A computed aggregate needs a local anyway, which then has the author's name.
+                if !place.ty.is_word() {
+                    self.atoms.remove(&place.root);
+                }
             }
             _ => {}
         }

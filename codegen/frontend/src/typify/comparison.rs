@@ -287,7 +287,7 @@ impl Lowering<'_, '_> {
         span: Span,
         equal: impl FnOnce(&mut Self, Expr) -> Result<Expr>,
     ) -> Result<Expr> {
-        let flag = self.temporary_place("equal", Expr::bool(true, span));
+        let flag = self.assigned("equal", Expr::bool(true, span));
         let held = flag.load();
         self.below("i", count, span, |inner, index| {
             let same = equal(inner, index)?;

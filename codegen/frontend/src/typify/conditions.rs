@@ -127,7 +127,7 @@ impl Lowering<'_, '_> {
     /// Lowers a logic operation whose right side needs statements, with a temporary for its result.
     fn right_behind(&mut self, op: LogicOp, left: Expr, right: Expr, mut inner: Vec<Stmt>) -> Expr {
         let span = left.span;
-        let place = self.temporary_place("holds", left);
+        let place = self.assigned("holds", left);
         let held = place.load();
         if op == LogicOp::Or || right.kind != ExprKind::Literal(1) {
             inner.push(Stmt::new(StmtKind::Assign { place, value: right }, span));

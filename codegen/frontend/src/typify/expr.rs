@@ -404,7 +404,7 @@ impl Lowering<'_, '_> {
             _ => self.slot_of(expr)?,
         };
         let span = self.span(expr.site);
-        let name = self.temporary_name("choice");
+        let name = self.role_name("choice");
         Ok(self.decided_by(name, ty, Some(expr), span)?.load())
     }
 
@@ -426,11 +426,7 @@ impl Lowering<'_, '_> {
         let computed =
             !matches!(value.kind, ExprKind::Load(_) | ExprKind::Struct(_) | ExprKind::Array(_));
         match self.atomic(role, value) {
-            Err(value) if computed && !value.ty.is_word() => {
-                let place = self.hold(value);
-                self.atoms.insert(place.root);
-                place.load()
-            }
+            Err(value) if computed && !value.ty.is_word() => self.hold(value).load(),
             Err(value) => self.atom_place(role, value).load(),
             Ok(value) => value,
         }

@@ -523,13 +523,8 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Holds `value` in a temporary, named after its role, and returns the read of it.
-    pub(super) fn temporary(&mut self, role: &str, value: Expr) -> Expr {
-        self.temporary_place(role, value).load()
-    }
-
-    /// Holds `value` in a temporary, and returns its place.
-    pub(super) fn temporary_place(&mut self, role: &str, value: Expr) -> Place {
+    /// Declares a temporary that the following statements assign, and returns its place.
+    pub(super) fn assigned(&mut self, role: &str, value: Expr) -> Place {
         let place = self.mutable_place(role, value);
         self.held.insert(place.root);
         place
@@ -537,7 +532,7 @@ impl Lowering<'_, '_> {
 
     /// Declares a mutable temporary with this value, and returns its place.
     pub(super) fn mutable_place(&mut self, role: &str, value: Expr) -> Place {
-        self.let_local(self.temporary_name(role), value)
+        self.let_local(self.role_name(role), value)
     }
 
     /// Lowers with `name` as the first part of temporaries' names.
@@ -562,7 +557,7 @@ impl Lowering<'_, '_> {
         self.emit(StmtKind::if_then(condition, then), span);
     }
 
-    pub(super) fn temporary_name(&self, role: &str) -> String {
+    pub(super) fn role_name(&self, role: &str) -> String {
         if self.naming.is_empty() { role.into() } else { format!("{}_{role}", self.naming) }
     }
 

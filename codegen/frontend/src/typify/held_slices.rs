@@ -36,8 +36,7 @@ impl Lowering<'_, '_> {
             let roles = if one { words::ENDS_OF_ONE } else { words::ENDS };
             let parts = [&mut from, &mut length].into_iter().zip(roles);
             for (part, role) in parts.filter(|(part, _)| !part.is_literal()) {
-                let held =
-                    self.naming_as(&*name, |inner| inner.temporary_place(role, part.clone()));
+                let held = self.naming_as(&*name, |inner| inner.atom_place(role, part.clone()));
                 self.unasked.push(held.root);
                 *part = held.load();
             }
@@ -152,7 +151,7 @@ impl Lowering<'_, '_> {
             Some(true) => {}
             // Two that look alike are told apart by their names.
             Some(false) => {
-                let place = self.temporary_place(UNNAMED, value);
+                let place = self.assigned(UNNAMED, value);
                 let spot = spot_of(&place);
                 self.lenders.known.retain(|it| it.0 != spot);
                 self.lenders.known.push((spot, slice.base));
@@ -189,7 +188,7 @@ impl Lowering<'_, '_> {
                     return self.choice(*id, 1, Some(value), site);
                 }
                 let none = self.choice(*id, 0, None, site)?;
-                let place = self.temporary_place(words::FOUND, none);
+                let place = self.assigned(words::FOUND, none);
                 let held = place.load();
                 let then = self.scoped(|it| {
                     let value = it.lent_value(*lent, &inner, site)?;

@@ -251,7 +251,7 @@ impl Lowering<'_, '_> {
             });
         }
         let span = self.span(site);
-        let result = self.temporary_place(name, self.zero(&ty, span));
+        let result = self.assigned(name, self.zero(&ty, span));
         let cell = |matrix: &Place, row: &Expr, column: &Expr| {
             let step = Step::Element(row.clone(), column.clone());
             matrix.inside(step, Type::Scalar(element))

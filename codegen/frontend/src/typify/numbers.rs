@@ -238,7 +238,7 @@ impl Lowering<'_, '_> {
         }
         let place = match argument.kind {
             ExprKind::Load(ref place) if is_light(&argument) => place.clone(),
-            _ => self.temporary_place("bytes", argument),
+            _ => self.atom_place("bytes", argument),
         };
         let Type::Array { len, .. } = place.ty else {
             return problem(expr.site, "these are no bytes", OUR_FAULT);

@@ -78,7 +78,7 @@ impl Lowering<'_, '_> {
                 self.choice(id, 1, Some(value), expr.site)?
             }
         };
-        let before = self.temporary("before", place.load());
+        let before = self.atom("before", place.load());
         self.emit(StmtKind::Assign { place, value: next }, span);
         Ok(before)
     }
@@ -143,7 +143,7 @@ impl Lowering<'_, '_> {
         (condition, other): (Expr, Expr),
         span: Span,
     ) -> Expr {
-        let place = self.temporary_place(role, value);
+        let place = self.assigned(role, value);
         let held = place.load();
         let assign = StmtKind::Assign { place, value: other };
         self.follow(&assign);

@@ -7,7 +7,7 @@ use bessemer_ir::{Block, Place, StmtKind};
 use super::borrowed::is_element;
 use super::lowering::Lowering;
 use super::rewrite::is_plain;
-use super::{Needed, Result, order, refusals, refused, struct_of};
+use super::{Needed, Result, refusals, refused, struct_of};
 
 /// Hidden name of the place to which `option?` refers.
 const TRIED: &str = "__tried";
@@ -146,8 +146,7 @@ impl Lowering<'_, '_> {
             }
             _ => {
                 let value = self.value(given, Some(&there.ty))?;
-                let free = !unless || order::is_free(&value);
-                Ok(if free { value } else { self.temporary("value", value) })
+                Ok(self.atom("value", value))
             }
         };
         let Block(put) = self.scoped(|inner| {

@@ -131,7 +131,7 @@ impl Lowering<'_, '_> {
 
     /// Returns the place of a new local that holds a value and is assigned once.
     pub(super) fn atom_place(&mut self, role: &str, value: Expr) -> Place {
-        let place = self.temporary_place(role, value);
+        let place = self.assigned(role, value);
         self.atoms.insert(place.root);
         place
     }

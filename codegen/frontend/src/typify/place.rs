@@ -127,7 +127,7 @@ impl Lowering<'_, '_> {
             && !known.cases.is_empty()
             && ![UNNAMED, RESULT].contains(&self.naming.as_str());
         let naming = if choice { self.naming.clone() } else { String::new() };
-        self.naming_as(naming, |inner| inner.temporary_place(&role, value))
+        self.naming_as(naming, |inner| inner.atom_place(&role, value))
     }
 
     fn field_step(&mut self, base: &Type, name: &str, expr: &tree::Expr) -> Result<(Step, Type)> {
@@ -278,7 +278,7 @@ impl Lowering<'_, '_> {
 
     /// Copies the value at a place into a temporary.
     pub(super) fn hold_copy(&mut self, name: &str, place: Place) -> Place {
-        self.naming_as("", |inner| inner.temporary_place(name, place.load()))
+        self.naming_as("", |inner| inner.atom_place(name, place.load()))
     }
 
     /// Lowers `let name = &place`, which makes the name an alias.

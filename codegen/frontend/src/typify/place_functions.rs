@@ -287,7 +287,7 @@ impl<'a> Lowering<'a, '_> {
                 inner.changing.insert(place.root, ty.clone());
                 place
             }
-            None => inner.temporary_place(name, value),
+            None => inner.atom_place(name, value),
         }))
     }
 }

@@ -294,7 +294,7 @@ impl Lowering<'_, '_> {
                 self.below("i", half, span, |inner, index| {
                     let other = slice.at(minus(last, index.clone()));
                     let one = slice.nth(index);
-                    let (value, before) = (other.load(), inner.temporary("before", one.load()));
+                    let (value, before) = (other.load(), inner.atom("before", one.load()));
                     inner.emit(StmtKind::Assign { place: one, value }, span);
                     inner.emit(StmtKind::Assign { place: other, value: before }, span);
                     Ok(())

@@ -127,7 +127,7 @@ impl Lowering<'_, '_> {
         let held = self.once("start", from);
         let from_zero = held.kind == ExprKind::Literal(0);
         // The last number that there may be is one more than those behind the steps.
-        let last = inclusive.then(|| self.temporary("last", to.clone()));
+        let last = inclusive.then(|| self.atom("last", to.clone()));
         let to = last.clone().unwrap_or(to);
         let length = distance(&held, to);
         let named = inclusive && from_zero || by == 1 && self.is_steady(&length);
@@ -196,7 +196,7 @@ impl Lowering<'_, '_> {
         let none = Expr::literal_like(0, &rest);
         let more = more.unwrap_or_else(|| Expr::compare(CompareOp::Ne, rest, none));
         let more = more.cast(&whole.ty);
-        self.temporary("passes", Expr::intrinsic(add, vec![whole, more]))
+        self.atom("passes", Expr::intrinsic(add, vec![whole, more]))
     }
 }
 

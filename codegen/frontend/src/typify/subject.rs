@@ -109,7 +109,7 @@ impl Lowering<'_, '_> {
     fn settle_parts(&mut self, both: (&mut Value, &tree::Expr), changes: &dyn Fn(&Place) -> bool) {
         self.value_parts(both, &mut |inner, place| {
             if changes(place) {
-                *place = inner.temporary_place(words::SELECTOR, place.load());
+                *place = inner.atom_place(words::SELECTOR, place.load());
             }
         });
     }
@@ -189,7 +189,7 @@ impl Placeholder {
     /// Replaces the placeholder by a copy made here if something writes the place, else by the place.
     pub(super) fn decided(self, lowering: &mut Lowering, written: &[Place]) -> Put {
         let place = match is_among(&self.place, written) {
-            true => lowering.temporary_place(words::SELECTOR, self.place.load()),
+            true => lowering.atom_place(words::SELECTOR, self.place.load()),
             false => self.place.clone(),
         };
         self.replaced(lowering, place)

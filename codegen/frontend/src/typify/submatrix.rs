@@ -170,7 +170,7 @@ impl<'a> Lowering<'a, '_> {
     /// Emits a call now, and returns its result.
     pub(super) fn called_here(&mut self, role: &str, call: Expr) -> Expr {
         if call.ty != Type::Unit {
-            return self.temporary(role, call);
+            return self.atom(role, call);
         }
         let span = call.span;
         self.emit(StmtKind::Expr(call), span);
@@ -186,7 +186,7 @@ impl<'a> Lowering<'a, '_> {
         }
         let place = match value.kind {
             ExprKind::Load(place) if place.root != part.matrix.root => place,
-            _ => self.temporary_place("part", value),
+            _ => self.atom_place("part", value),
         };
         self.each_of_part(part, span, |at, step| {
             let value = place.inside(step, at.ty.clone()).load();

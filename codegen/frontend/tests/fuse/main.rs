@@ -202,7 +202,8 @@ fn a_check_goes_where_the_use_of_its_index_repeats_it() {
 
 #[test]
 fn what_moves_into_a_check_has_no_effect() {
-    let of = |value: &str| of(&format!("let t: u8 = {value}; check t == 0u8 else absent; return m;"));
+    let of =
+        |value: &str| of(&format!("let t: u8 = {value}; check t == 0u8 else absent; return m;"));
     assert_eq!(of("n & 7u8"), "check n & 7u8 == 0u8 else absent; return m;");
     for value in ["bump(&mut n)", "a[n]"] {
         assert!(of(value).starts_with("let t: u8"), "{}", of(value));

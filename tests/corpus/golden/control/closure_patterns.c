@@ -45,8 +45,7 @@ int64_t closure_patterns_together(const int32_t a[4], const int32_t b[4])
     int64_t sum = INT64_C(0);
     for (uint32_t i = 0U; i < 4U; i++) {
         if (a[i] > 0 && b[i] > 0) {
-            const int64_t product = (int64_t)a[i] * (int64_t)b[i];
-            sum ^= product;
+            sum ^= (int64_t)a[i] * (int64_t)b[i];
         }
     }
     return sum;
@@ -68,12 +67,9 @@ int32_t closure_patterns_scaled(const pair_i32_i32_t *pair, const pair_i32_i32_t
 {
     const int32_t a = pair->first;
     const int32_t b = pair->second;
-    const int32_t result_value = a ^ shift_left_i32(b, 1U);
     const int32_t a_2 = other->first;
     const int32_t b_2 = other->second;
-    const int32_t result_value_2 = a_2 ^ shift_left_i32(b_2, 1U);
-    const int32_t result_value_3 = 7;
-    return result_value ^ result_value_2 ^ result_value_3;
+    return a ^ shift_left_i32(b, 1U) ^ (a_2 ^ shift_left_i32(b_2, 1U)) ^ 7;
 }
 
 void closure_patterns_counted(const option_u8_t *value, uint8_t n,

@@ -9,8 +9,7 @@ void closures_response(double gain, double corner, const double at[3],
         const double frequency = at[i];
         const double ratio = frequency / corner;
         const double mapped_choice = gain / sqrt(1.0 + ratio * ratio);
-        const double frequency_2 = 2.0 * frequency;
-        const double ratio_2 = frequency_2 / corner;
+        const double ratio_2 = 2.0 * frequency / corner;
         const double mapped_choice_2 = gain / sqrt(1.0 + ratio_2 * ratio_2);
         result[i] = mapped_choice * mapped_choice_2;
     }

@@ -106,8 +106,7 @@ bessemer_status_t leaving_closures_by_name(const float values[4], float k,
 {
     float halves = -0.0F;
     for (uint32_t i = 0U; i < 4U; i++) {
-        const float x = leaving_closures_halved(values[i]);
-        halves += k * x;
+        halves += k * leaving_closures_halved(values[i]);
     }
     float most = -FLT_MAX;
     for (uint32_t i = 0U; i < 4U; i++) {

@@ -22,13 +22,12 @@ match_enums_phase_t sequence_step(sequence_t *self, double height, bool land)
 {
     self->ticks = (uint16_t)((uint32_t)self->ticks + 1U);
     match_enums_phase_t next;
-    const match_enums_phase_t same = self->phase;
-    switch (same) {
+    switch (self->phase) {
     case MATCH_ENUMS_PHASE_GROUND:
         if (!land) {
             next = MATCH_ENUMS_PHASE_CLIMB;
         } else {
-            next = same;
+            next = self->phase;
         }
         break;
     case MATCH_ENUMS_PHASE_CLIMB:
@@ -37,14 +36,14 @@ match_enums_phase_t sequence_step(sequence_t *self, double height, bool land)
         } else if (land) {
             next = MATCH_ENUMS_PHASE_LANDING;
         } else {
-            next = same;
+            next = self->phase;
         }
         break;
     case MATCH_ENUMS_PHASE_CRUISE:
         if (land) {
             next = MATCH_ENUMS_PHASE_LANDING;
         } else {
-            next = same;
+            next = self->phase;
         }
         break;
     case MATCH_ENUMS_PHASE_LANDING:
@@ -52,7 +51,7 @@ match_enums_phase_t sequence_step(sequence_t *self, double height, bool land)
         if (height < 0.05) {
             next = MATCH_ENUMS_PHASE_GROUND;
         } else {
-            next = same;
+            next = self->phase;
         }
         break;
     }

@@ -54,12 +54,11 @@ bessemer_status_t numbered_weighted(const int16_t values[6], int16_t least,
 
 uint32_t numbered_every_second(uint8_t count)
 {
-    const uint32_t end = (uint32_t)count;
     uint32_t a = 0U;
-    for (uint64_t at = UINT64_C(0); at < (uint64_t)end; at++) {
-        const uint32_t x = (uint32_t)at;
+    for (uint32_t at = 0U; at < (uint32_t)count; at++) {
+        const uint32_t x = at;
         const uint32_t b = x * x;
-        if (at % UINT64_C(2) == UINT64_C(1)) {
+        if (at % 2U == 1U) {
             a ^= b;
         }
     }

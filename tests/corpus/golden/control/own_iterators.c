@@ -28,12 +28,11 @@ bessemer_status_t programs_control_own_iterators_ramp_next(
         return BESSEMER_STATUS_OK;
     }
     const int32_t left = saturating_sub_i32(self->goal, self->at);
-    const int32_t a = left;
     int32_t at_choice;
-    if (a < 0) {
-        at_choice = saturating_sub_i32(0, a);
+    if (left < 0) {
+        at_choice = saturating_sub_i32(0, left);
     } else {
-        at_choice = a;
+        at_choice = left;
     }
     if (at_choice <= self->slope) {
         self->at = self->goal;

@@ -66,8 +66,7 @@ double searches_peak(const double values[8])
 {
     double gathered = 0.0;
     for (uint32_t i = 0U; i < 8U; i++) {
-        const double value = fabs(values[i]);
-        gathered = max_f64(gathered, value);
+        gathered = max_f64(gathered, fabs(values[i]));
     }
     return gathered;
 }

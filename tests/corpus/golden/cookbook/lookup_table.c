@@ -32,8 +32,7 @@ static uint64_t lookup_table_partition_point_in_interpolated_10(const float valu
             break;
         }
         const float value = values[middle];
-        const bool is_first = value <= place;
-        if (is_first) {
+        if (value <= place) {
             from = middle + UINT64_C(1);
             left = left - left / UINT64_C(2) - UINT64_C(1);
         } else {

@@ -66,13 +66,13 @@ bessemer_status_t log_channel_is_length(log_channel_t *BESSEMER_RESTRICT self,
     bool result_holds = text_4_is(&self->unit, elements, UINT64_C(1));
     if (!result_holds) {
         const uint8_t elements_2[2] = {99U, 109U};
-        text_4_t text_4;
-        status = text_4_of(elements_2, UINT64_C(2), &text_4);
+        text_4_t result_holds_other;
+        status = text_4_of(elements_2, UINT64_C(2), &result_holds_other);
         if (status != BESSEMER_STATUS_OK) {
             self->fault = status;
             return status;
         }
-        result_holds = text_4_equal(&self->unit, &text_4);
+        result_holds = text_4_equal(&self->unit, &result_holds_other);
     }
     *result = result_holds;
     return BESSEMER_STATUS_OK;

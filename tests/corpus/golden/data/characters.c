@@ -31,16 +31,16 @@ uint8_t characters_class(uint32_t code)
     if (!letter.is_some) {
         return 0U;
     }
-    const uint32_t other = letter.value;
-    if (other >= 48U && other <= 57U) {
+    if (letter.value >= 48U && letter.value <= 57U) {
         return 1U;
-    } else if ((other >= 97U && other <= 122U) || (other >= 65U && other <= 90U) || other == 95U) {
+    } else if ((letter.value >= 97U && letter.value <= 122U)
+            || (letter.value >= 65U && letter.value <= 90U) || letter.value == 95U) {
         return 2U;
-    } else if (other == 32U || other == 9U || other == 10U) {
+    } else if (letter.value == 32U || letter.value == 9U || letter.value == 10U) {
         return 3U;
-    } else if (other == 228U || other == 176U) {
+    } else if (letter.value == 228U || letter.value == 176U) {
         return 4U;
-    } else if (other > 127U) {
+    } else if (letter.value > 127U) {
         return 5U;
     } else {
         return 6U;

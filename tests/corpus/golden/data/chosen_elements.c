@@ -123,10 +123,9 @@ uint16_t chosen_elements_begin(transfers_t *transfers, uint8_t id)
             least.value.index = i;
         }
     }
-    const uint64_t least_index = least.value.index;
     if (least.is_some) {
-        transfers->all[least_index].id = id;
-        return transfers->all[least_index].tries;
+        transfers->all[least.value.index].id = id;
+        return transfers->all[least.value.index].tries;
     } else {
         return 9U;
     }
@@ -151,9 +150,8 @@ uint16_t chosen_elements_mark(transfers_t *transfers, uint8_t id)
         bool value_holds = transfers->all[i].busy;
         if (value_holds) {
             bool value_choice;
-            const uint64_t most_index = most.value.index;
             if (most.is_some) {
-                value_choice = transfers->all[i].tries >= transfers->all[most_index].tries;
+                value_choice = transfers->all[i].tries >= transfers->all[most.value.index].tries;
             } else {
                 value_choice = true;
             }
@@ -164,10 +162,9 @@ uint16_t chosen_elements_mark(transfers_t *transfers, uint8_t id)
             most.value.index = i;
         }
     }
-    const uint64_t most_index = most.value.index;
     if (most.is_some) {
-        transfers->all[most_index].id = id;
-        return transfers->all[most_index].tries;
+        transfers->all[most.value.index].id = id;
+        return transfers->all[most.value.index].tries;
     } else {
         return 0U;
     }
@@ -223,9 +220,8 @@ uint64_t chosen_elements_halve(float readings[5], float most)
             last.value.index = i;
         }
     }
-    const uint64_t last_index = last.value.index;
     if (last.is_some) {
-        readings[last_index] = 0.0F;
+        readings[last.value.index] = 0.0F;
     }
     return UINT64_C(5);
 }

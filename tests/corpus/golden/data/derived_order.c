@@ -75,18 +75,17 @@ static void derived_order_sort_by_in_sorted(derived_order_key_t values[], uint64
         for (uint64_t at = i; at-- > UINT64_C(0);) {
             const derived_order_key_t one = values[at];
             const derived_order_key_t *const next = &values[at + UINT64_C(1)];
-            const bool below = next->source < one.source
-                || (next->source == one.source
-                && (next->version.major < one.version.major
-                || (next->version.major == one.version.major
-                && (next->version.minor < one.version.minor
-                || (next->version.minor == one.version.minor && next->version.patch < one.version.patch)))
-                || (next->version.major == one.version.major
-                && next->version.minor == one.version.minor
-                && next->version.patch == one.version.patch
-                && (next->numbers[0] < one.numbers[0]
-                || (next->numbers[0] == one.numbers[0] && next->numbers[1] < one.numbers[1])))));
-            if (!below) {
+            if (!(next->source < one.source
+                    || (next->source == one.source
+                    && (next->version.major < one.version.major
+                    || (next->version.major == one.version.major
+                    && (next->version.minor < one.version.minor
+                    || (next->version.minor == one.version.minor && next->version.patch < one.version.patch)))
+                    || (next->version.major == one.version.major
+                    && next->version.minor == one.version.minor
+                    && next->version.patch == one.version.patch
+                    && (next->numbers[0] < one.numbers[0]
+                    || (next->numbers[0] == one.numbers[0] && next->numbers[1] < one.numbers[1]))))))) {
                 break;
             }
             values[at] = *next;

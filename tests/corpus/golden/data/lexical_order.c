@@ -35,8 +35,7 @@ static void lexical_order_sort_by_in_queue(message_t values[], uint64_t values_l
             const ordering_t value_choice = comparison_then(
                 comparison_compare_urgency(one.urgency, next.urgency),
                 comparison_compare_u16(next.sequence, one.sequence));
-            const bool below = comparison_is_less(value_choice);
-            if (!below) {
+            if (!comparison_is_less(value_choice)) {
                 break;
             }
             values[at] = next;
@@ -67,10 +66,9 @@ static void lexical_order_sort_by_in_archive(message_t values[], uint64_t values
                 .first = one.sequence,
                 .second = one.urgency
             };
-            const bool below = value_choice.first < value_choice_2.first
-                || (value_choice.first == value_choice_2.first
-                && value_choice.second < value_choice_2.second);
-            if (!below) {
+            if (!(value_choice.first < value_choice_2.first
+                    || (value_choice.first == value_choice_2.first
+                    && value_choice.second < value_choice_2.second))) {
                 break;
             }
             values[at] = next;

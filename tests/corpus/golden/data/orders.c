@@ -53,8 +53,7 @@ static void orders_sort_by_in_scheduled(orders_task_t values[], uint64_t values_
             const orders_task_t one = values[at];
             const orders_task_t next = values[at + UINT64_C(1)];
             const ordering_t value_choice = orders_first(&next, &one);
-            const bool below = comparison_is_less(value_choice);
-            if (!below) {
+            if (!comparison_is_less(value_choice)) {
                 break;
             }
             values[at] = next;

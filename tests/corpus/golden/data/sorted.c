@@ -24,8 +24,7 @@ static void sorted_sort_by_in_median(double values[], uint64_t values_length)
         for (uint64_t at = i; at-- > UINT64_C(0);) {
             const double one = values[at];
             const double next = values[at + UINT64_C(1)];
-            const bool below = sort_below_f64(next, one);
-            if (!below) {
+            if (!sort_below_f64(next, one)) {
                 break;
             }
             values[at] = next;
@@ -63,8 +62,7 @@ static void sorted_sort_by_in_schedule(switching_t values[], uint64_t values_len
             const switching_t next = values[at + UINT64_C(1)];
             const uint16_t value_choice = next.at;
             const uint16_t value_choice_2 = one.at;
-            const bool below = value_choice < value_choice_2;
-            if (!below) {
+            if (!(value_choice < value_choice_2)) {
                 break;
             }
             values[at] = next;
@@ -87,8 +85,7 @@ static void sorted_sort_by_in_latest_first(switching_t values[], uint64_t values
         for (uint64_t at = i; at-- > UINT64_C(0);) {
             const switching_t one = values[at];
             const switching_t next = values[at + UINT64_C(1)];
-            const bool below = one.at < next.at;
-            if (!below) {
+            if (!(one.at < next.at)) {
                 break;
             }
             values[at] = next;
@@ -111,8 +108,7 @@ static void sorted_sort_by_in_downwards(float values[], uint64_t values_length)
         for (uint64_t at = i; at-- > UINT64_C(0);) {
             const float one = values[at];
             const float next = values[at + UINT64_C(1)];
-            const bool below = sort_below_f32(one, next);
-            if (!below) {
+            if (!sort_below_f32(one, next)) {
                 break;
             }
             values[at] = next;

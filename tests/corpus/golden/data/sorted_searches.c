@@ -28,8 +28,7 @@ static uint64_t sorted_searches_partition_point_in_below(const double values[],
             break;
         }
         const double value = values[middle];
-        const bool is_first = value < x;
-        if (is_first) {
+        if (value < x) {
             from = middle + UINT64_C(1);
             left = left - left / UINT64_C(2) - UINT64_C(1);
         } else {
@@ -147,8 +146,7 @@ static void sorted_searches_binary_search_by_in_nearest(const float values[],
             break;
         }
         const float value = values[middle];
-        const ordering_t order = comparison_total_f32(value, x);
-        switch (order) {
+        switch (comparison_total_f32(value, x)) {
         case ORDERING_EQUAL:
             result->is_ok = true;
             result->value = middle;

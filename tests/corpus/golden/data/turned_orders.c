@@ -27,10 +27,9 @@ static void turned_orders_sort_by_in_planned(turned_orders_job_t values[], uint6
                 .first = {.value = one.urgency},
                 .second = one.due
             };
-            const bool below = value_choice_2.first.value < value_choice.first.value
-                || (value_choice.first.value == value_choice_2.first.value
-                && value_choice.second < value_choice_2.second);
-            if (!below) {
+            if (!(value_choice_2.first.value < value_choice.first.value
+                    || (value_choice.first.value == value_choice_2.first.value
+                    && value_choice.second < value_choice_2.second))) {
                 break;
             }
             values[at] = next;
@@ -59,10 +58,9 @@ static void turned_orders_sort_by_in_put_off(turned_orders_job_t values[], uint6
             const reverse_pair_reverse_u8_i16_t value_choice_2 = {
                 .value = {.first = {.value = one.urgency}, .second = one.due}
             };
-            const bool below = value_choice.value.first.value < value_choice_2.value.first.value
-                || (value_choice_2.value.first.value == value_choice.value.first.value
-                && value_choice_2.value.second < value_choice.value.second);
-            if (!below) {
+            if (!(value_choice.value.first.value < value_choice_2.value.first.value
+                    || (value_choice_2.value.first.value == value_choice.value.first.value
+                    && value_choice_2.value.second < value_choice.value.second))) {
                 break;
             }
             values[at] = next;

@@ -76,21 +76,16 @@ bessemer_status_t values_that_borrow_reader_take(
 {
     (void)self_rest;
     (void)self_rest_length;
-    const uint64_t rest_length = self->rest.length;
-    if (count > rest_length) {
+    if (count > self->rest.length) {
         *result = (option_slice_u8_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
     const uint64_t rest_from = self->rest.from;
-    const uint64_t rest_length_2 = self->rest.length;
-    if (count > rest_length_2) {
-        return BESSEMER_STATUS_INDEX;
-    }
     if (rest_from > UINT64_MAX - count) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    self->rest.from = rest_from + count;
-    self->rest.length = rest_length_2 - count;
+    const slice_u8_t rest_next = {.from = rest_from + count, .length = self->rest.length - count};
+    self->rest = rest_next;
     self->last.from = rest_from;
     self->last.length = count;
     result->is_some = true;
@@ -351,49 +346,49 @@ bessemer_status_t values_that_borrow_above(const double values[], uint64_t value
 {
     slice_f64_t values_left = {.from = UINT64_C(0), .length = values_length};
     for (uint32_t pass = 0U; pass <= 64U; pass++) {
-        const uint64_t values_left_from = values_left.from;
-        const uint64_t values_left_length = values_left.length;
-        if (values_left_length <= UINT64_C(0)) {
+        if (values_left.length <= UINT64_C(0)) {
             break;
         }
         if (pass >= 64U) {
             return BESSEMER_STATUS_BOUND;
         }
-        if (values_left_from >= values_length) {
+        if (values_left.from >= values_length) {
             return BESSEMER_STATUS_INDEX;
         }
-        if (values[values_left_from] > limit) {
+        if (values[values_left.from] > limit) {
             break;
         }
-        values_left.from = values_left_from + UINT64_C(1);
-        values_left.length = values_left_length - UINT64_C(1);
+        const slice_f64_t values_left_next = {
+            .from = values_left.from + UINT64_C(1),
+            .length = values_left.length - UINT64_C(1)
+        };
+        values_left = values_left_next;
     }
     for (uint32_t pass = 0U; pass <= 64U; pass++) {
-        const uint64_t values_left_from = values_left.from;
-        const uint64_t values_left_length = values_left.length;
-        if (values_left_length <= UINT64_C(0)) {
+        if (values_left.length <= UINT64_C(0)) {
             break;
         }
         if (pass >= 64U) {
             return BESSEMER_STATUS_BOUND;
         }
-        if (values_left_from > UINT64_MAX - values_left_length) {
+        if (values_left.from > UINT64_MAX - values_left.length) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        const uint64_t values_index = values_left_from + values_left_length - UINT64_C(1);
+        const uint64_t values_index = values_left.from + values_left.length - UINT64_C(1);
         if (values_index >= values_length) {
             return BESSEMER_STATUS_INDEX;
         }
         if (values[values_index] > limit) {
             break;
         }
-        values_left.from = values_left_from;
-        values_left.length = values_left_length - UINT64_C(1);
+        const slice_f64_t values_left_next_2 = {
+            .from = values_left.from,
+            .length = values_left.length - UINT64_C(1)
+        };
+        values_left = values_left_next_2;
     }
-    const uint64_t values_left_from = values_left.from;
-    const uint64_t values_left_length = values_left.length;
-    result->from = values_left_from;
-    result->length = values_left_length;
+    result->from = values_left.from;
+    result->length = values_left.length;
     return BESSEMER_STATUS_OK;
 }
 
@@ -438,9 +433,8 @@ bessemer_status_t values_that_borrow_seen(const double values[6],
         slice.from += pair.first.from;
         longer = slice;
     }
-    const uint64_t longer_length = longer.length;
     result->first = values[pair.second.from];
-    result->second = longer_length;
+    result->second = longer.length;
     return BESSEMER_STATUS_OK;
 }
 
@@ -448,28 +442,25 @@ bessemer_status_t writer_put(writer_t *BESSEMER_RESTRICT self,
     uint8_t self_buffer[BESSEMER_RESTRICT], uint64_t self_buffer_length, const uint8_t bytes[],
     uint64_t bytes_length, bool *BESSEMER_RESTRICT result)
 {
-    const uint64_t buffer_length = self->buffer.length;
-    if (self->length > buffer_length) {
+    if (self->length > self->buffer.length) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    if (bytes_length > buffer_length - self->length) {
+    if (bytes_length > self->buffer.length - self->length) {
         *result = false;
         return BESSEMER_STATUS_OK;
     }
     for (uint64_t i = UINT64_C(0); i < bytes_length; i++) {
         const uint8_t buffer_operand = bytes[i];
-        const uint64_t buffer_from = self->buffer.from;
-        const uint64_t buffer_length_2 = self->buffer.length;
-        if (self->length >= buffer_length_2) {
+        if (self->length >= self->buffer.length) {
             return BESSEMER_STATUS_INDEX;
         }
-        if (buffer_from > UINT64_MAX - self->length) {
+        if (self->buffer.from > UINT64_MAX - self->length) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        if (buffer_from + self->length >= self_buffer_length) {
+        if (self->buffer.from + self->length >= self_buffer_length) {
             return BESSEMER_STATUS_INDEX;
         }
-        self_buffer[buffer_from + self->length] = buffer_operand;
+        self_buffer[self->buffer.from + self->length] = buffer_operand;
         self->length += UINT64_C(1);
     }
     *result = true;
@@ -481,12 +472,10 @@ bessemer_status_t writer_finish(const writer_t *self, uint8_t self_buffer[BESSEM
 {
     (void)self_buffer;
     (void)self_buffer_length;
-    const uint64_t buffer_from = self->buffer.from;
-    const uint64_t buffer_length = self->buffer.length;
-    if (self->length > buffer_length) {
+    if (self->length > self->buffer.length) {
         return BESSEMER_STATUS_INDEX;
     }
-    result->from = buffer_from;
+    result->from = self->buffer.from;
     result->length = self->length;
     return BESSEMER_STATUS_OK;
 }

@@ -14,8 +14,7 @@ void readings_summary(const readings_t *self,
 {
     double steps = 0.0;
     for (uint32_t i = 0U; i < 5U; i++) {
-        const double value = fabs(self->values[i + 1U] - self->values[i]);
-        steps = max_f64(steps, value);
+        steps = max_f64(steps, fabs(self->values[i + 1U] - self->values[i]));
     }
     uint32_t rising = 0U;
     for (uint32_t i = 0U; i < 5U; i++) {
@@ -101,8 +100,7 @@ void readings_before(const readings_t *self, double limit, option_usize_t *BESSE
         if (self->values[i] < self->most) {
             const uint32_t at = next;
             next += 1U;
-            const double value = self->values[i] * 1.5;
-            if (value > limit) {
+            if (self->values[i] * 1.5 > limit) {
                 result->is_some = true;
                 result->value = at;
                 return;
@@ -216,10 +214,8 @@ bool given_iterators_fences(double low, double high, double value)
 
 void given_iterators_around(double low, double high, double reach, closed_f64_t *closed)
 {
-    const double start = low - reach;
-    const double end = high + reach;
-    closed->start = start;
-    closed->end = end;
+    closed->start = low - reach;
+    closed->end = high + reach;
 }
 
 /* given_iterators.h */

@@ -85,8 +85,7 @@ static void inner_functions_binary_search_by_key_in_extra(const pair_u8_u8_t val
             break;
         }
         const pair_u8_u8_t value = values[middle];
-        const pair_u8_u8_t found_argument = value;
-        const uint8_t found = found_argument.first;
+        const uint8_t found = value.first;
         if (found == wanted) {
             result->is_ok = true;
             result->value = middle;

@@ -38,8 +38,7 @@ bessemer_status_t lent_places_commanded(const head_t *head, uint64_t i, double e
         return BESSEMER_STATUS_INDEX;
     }
     const double result_left = axis_command(&head->axes[i], error);
-    const uint64_t i_2 = head->main;
-    if (i_2 >= UINT64_C(3)) {
+    if (head->main >= UINT64_C(3)) {
         return BESSEMER_STATUS_INDEX;
     }
     axis_t axis;
@@ -47,7 +46,7 @@ bessemer_status_t lent_places_commanded(const head_t *head, uint64_t i, double e
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    *result = result_left + head->axes[i_2].gain + axis.limit;
+    *result = result_left + head->axes[head->main].gain + axis.limit;
     return BESSEMER_STATUS_OK;
 }
 

@@ -47,9 +47,8 @@ bessemer_status_t own_indices_levelled(grid_t *BESSEMER_RESTRICT grid, uint64_t 
 
 int32_t own_indices_difference(const sides_t *sides)
 {
-    const int32_t selector = sides_index_side(sides, SIDE_LEFT);
-    const int32_t selector_2 = sides_index_side(sides, SIDE_RIGHT);
-    return wrap_i32((uint32_t)selector - (uint32_t)selector_2);
+    return wrap_i32((uint32_t)sides_index_side(sides, SIDE_LEFT)
+        - (uint32_t)sides_index_side(sides, SIDE_RIGHT));
 }
 
 /* own_indices.h */

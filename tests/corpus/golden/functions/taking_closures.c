@@ -17,8 +17,7 @@ static double taking_closures_root_surplus(double low, double high, double drag,
 {
     for (int32_t pass = 0; pass < 20; pass++) {
         const double middle = (low + high) / 2.0;
-        const double speed = middle;
-        const double value = drag * speed * speed - thrust;
+        const double value = drag * middle * middle - thrust;
         if (value == 0.0) {
             return middle;
         }
@@ -41,8 +40,7 @@ static double taking_closures_root_in_square_root(double low, double high, doubl
 {
     for (int32_t pass = 0; pass < 20; pass++) {
         const double middle = (low + high) / 2.0;
-        const double x = middle;
-        const double value = x * x - of;
+        const double value = middle * middle - of;
         if (value == 0.0) {
             return middle;
         }
@@ -75,8 +73,7 @@ static bessemer_status_t taking_closures_around_in_swept(uint8_t steps,
 {
     for (uint8_t i = 0U; i < 16U; i++) {
         if (i < steps) {
-            const double angle = (double)i * 0.4;
-            *sum += scale * angle;
+            *sum += scale * ((double)i * 0.4);
             if (*count > 0xFFFFFFFEU) {
                 return BESSEMER_STATUS_OVERFLOW;
             }

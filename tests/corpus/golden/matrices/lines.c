@@ -12,8 +12,7 @@ void lines_read(const double m[12], const double w[4],
         if (left > UINT64_C(0)) {
             left -= UINT64_C(1);
         } else {
-            const double value = sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]) * w[i];
-            far_ = max_f64(far_, value);
+            far_ = max_f64(far_, sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]) * w[i]);
         }
     }
     double zipped = -0.0;
@@ -111,9 +110,8 @@ void lines_written(double m[BESSEMER_RESTRICT 12], const double w[4])
         if (!other.is_some) {
             break;
         }
-        const double value = other.value;
         for (uint32_t column = 0U; column < 4U; column++) {
-            m[row + 3U * column] = value;
+            m[row + 3U * column] = other.value;
         }
     }
 }

@@ -56,14 +56,14 @@ void unit_quaternions_same(const attitudes_t *one, const attitudes_t *other,
     };
     quaternion_f64_t quaternion;
     quaternion_negative_f64(&quaternion_q, &quaternion);
-    const unit_quaternion_f64_t unit_quaternion = {
+    const unit_quaternion_f64_t result_other = {
         .i = quaternion.i,
         .j = quaternion.j,
         .k = quaternion.k,
         .w = quaternion.w
     };
     result->first = result_part;
-    result->second = unit_quaternion_f64_equal(&one->body, &unit_quaternion);
+    result->second = unit_quaternion_f64_equal(&one->body, &result_other);
 }
 
 void unit_quaternions_received(double w, double i, double j, double k,

@@ -14,24 +14,21 @@ bessemer_status_t not_zero_share(uint32_t counts, uint32_t of, option_u32_t *res
         return BESSEMER_STATUS_OK;
     }
     const non_zero_u32_t of_2 = of_option.value;
-    const non_zero_u32_t it = of_2;
     if (counts > 0x28F5C28U) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    if (it.value == 0U) {
+    if (of_2.value == 0U) {
         return BESSEMER_STATUS_DIVISION_BY_ZERO;
     }
     result->is_some = true;
-    result->value = counts * 100U / it.value;
+    result->value = counts * 100U / of_2.value;
     return BESSEMER_STATUS_OK;
 }
 
 bessemer_status_t periods_both(const periods_t *self, uint32_t *BESSEMER_RESTRICT result)
 {
-    const non_zero_u16_t it = self->ticks[0];
-    uint32_t low = (uint32_t)it.value;
-    const non_zero_u16_t it_2 = self->ticks[1];
-    uint32_t high = (uint32_t)it_2.value;
+    uint32_t low = (uint32_t)self->ticks[0].value;
+    uint32_t high = (uint32_t)self->ticks[1].value;
     const uint32_t product = low * high;
     for (int32_t pass = 0; pass < 32; pass++) {
         if (low == 0U) {
@@ -54,8 +51,7 @@ bool periods_later(periods_t *self, int16_t by)
     int16_t delay;
     if (self->delay.is_some) {
         const non_zero_i16_t delay_2 = self->delay.value;
-        const non_zero_i16_t it = delay_2;
-        delay = wrap_i16((uint16_t)((uint32_t)it.value + (uint32_t)by));
+        delay = wrap_i16((uint16_t)((uint32_t)delay_2.value + (uint32_t)by));
     } else {
         delay = by;
     }
