@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`check_cost`] | what the attributes add to `cargo check` of a model |
 //! | [`dsp`] | blocks, filters and predictive control beside CMSIS-DSP, Eigen and TinyMPC |
+//! | [`ekf`] | a Kalman filter beside the code of SymForce and CasADi |
 //! | [`generation`] | how long a generation takes, by the number of functions |
 //! | [`kernels`] | generated kernels against handwritten C and the libraries |
 //! | [`rebuild`] | what the attributes add to a rebuild of the corpus |
@@ -23,6 +24,7 @@ pub mod check_cost;
 pub mod count;
 pub mod crates;
 pub mod dsp;
+pub mod ekf;
 pub mod elementary;
 pub mod equality;
 pub mod generation;

@@ -9,7 +9,8 @@ use bench::kernels::reasons::Reasons;
 use bench::kernels::results::Results;
 use bench::kernels::{machine, plot, report, run, stored};
 use bench::{
-    accuracy_points, dsp, elementary, equality, generation, long, onboard, rebuild, shapes, threads,
+    accuracy_points, dsp, ekf, elementary, equality, generation, long, onboard, rebuild, shapes,
+    threads,
 };
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -63,6 +64,8 @@ enum Part {
     Onboard,
     /// Blocks, filters and predictive control beside CMSIS-DSP, Eigen and TinyMPC
     Dsp,
+    /// A Kalman filter beside code of SymForce and CasADi, which pip installs
+    Ekf,
     /// Large kernels on one thread and on two
     Threads,
     /// The elementary functions on ten million points each, on every leg: a quarter of an hour
@@ -88,7 +91,7 @@ const AGAIN: &str = "measured again";
 /// A measurement: prints its table and, unless it is a short run, writes its results.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
-const PARTS: [(Part, Measurement); 12] = [
+const PARTS: [(Part, Measurement); 13] = [
     (Part::Kernels, kernels),
     (Part::Elementary, elementary),
     (Part::CheckCost, check_cost),
@@ -98,6 +101,7 @@ const PARTS: [(Part, Measurement); 12] = [
     (Part::Shapes, of_shapes),
     (Part::Onboard, onboard),
     (Part::Dsp, of_dsp),
+    (Part::Ekf, of_ekf),
     (Part::Threads, on_threads),
     (Part::Equality, equality),
     (Part::AccuracyPoints, on_accuracy_points),
@@ -300,6 +304,14 @@ fn of_dsp(arguments: &Arguments) -> Result<(), String> {
     }
     arguments.write("dsp", &json)?;
     if arguments.quick { Ok(()) } else { put("dsp.md", &page) }
+}
+
+fn of_ekf(arguments: &Arguments) -> Result<(), String> {
+    let json = ekf::json(&ekf::measure()?);
+    let page = ekf::page::markdown(&json);
+    println!("{page}");
+    arguments.write("ekf", &json)?;
+    if arguments.quick { Ok(()) } else { put("ekf.md", &page) }
 }
 
 fn on_threads(arguments: &Arguments) -> Result<(), String> {

@@ -6,11 +6,11 @@ use std::fs;
 use std::path::PathBuf;
 
 use bench::crates::page;
-use bench::dsp;
 use bench::kernels::machine::{A9, HOST_V3};
 use bench::kernels::reasons::{Reasons, unsettled};
 use bench::kernels::results::Results;
 use bench::kernels::{plot, report, stored};
+use bench::{dsp, ekf};
 use serde_json::Value;
 
 fn file(name: &str) -> PathBuf {
@@ -75,6 +75,20 @@ fn the_page_of_blocks_says_what_the_json_has() {
     }
     let found = fs::read_to_string(file("dsp.md")).expect("it is committed");
     assert!(found == page, "dsp.md is stale: UPDATE_DOCS=1 cargo test -p bench --test stored");
+}
+
+#[test]
+fn the_page_of_the_filter_says_what_the_json_has() {
+    let text = fs::read_to_string(file("ekf.json")).expect("results are committed");
+    let json: Value = serde_json::from_str(&text).expect("JSON");
+    let rows = json["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), ekf::MACHINES.len() * ekf::CONTENDERS.len(), "ekf.json lacks rows");
+    let page = ekf::page::markdown(&json);
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        fs::write(file("ekf.md"), &page).expect("bench/results is there");
+    }
+    let found = fs::read_to_string(file("ekf.md")).expect("it is committed");
+    assert!(found == page, "ekf.md is stale: UPDATE_DOCS=1 cargo test -p bench --test stored");
 }
 
 fn reasons() -> Reasons {

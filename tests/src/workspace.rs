@@ -96,7 +96,9 @@ impl Workspace {
         let root = root().canonicalize()?;
         let workspace = Workspace(tempfile::tempdir()?);
         fs::copy(root.join("Cargo.lock"), workspace.path("Cargo.lock"))?;
-        symlink(root.join("dsl"), workspace.path("dsl"))?;
+        for linked in ["dsl", "estimation"] {
+            symlink(root.join(linked), workspace.path(linked))?;
+        }
         let text = fs::read_to_string(root.join("Cargo.toml"))?;
         let members = text.lines().find(|line| line.starts_with("members")).unwrap_or_default();
         let text = text

@@ -18,6 +18,7 @@ use bessemer_tests::toolchain;
 use serde_json::{Value, json};
 
 use jobs::{JOBS, Job, Machine};
+pub use program::first_line;
 use program::{CONTENDERS, Contender, Run};
 
 /// Largest difference of a contender's result, relative to the largest number of that result.
@@ -102,7 +103,7 @@ pub fn json(found: &Found) -> Value {
     for (name, program) in
         [("arm-none-eabi-gcc", "Cortex-M4F"), ("arm-linux-gnueabihf-gcc", "Cortex-A9")]
     {
-        versions.extend(program::first_line(name).map(|line| (program, line)));
+        versions.extend(first_line(name).map(|line| (program, line)));
     }
     json!({
         "command": "cargo xtask bench --only dsp --peers FOLDER",

@@ -58,7 +58,7 @@ fn counts<'j>(json: &'j Value, name: &str) -> &'j Value {
 }
 
 /// Returns a number with commas.
-fn grouped(number: u64) -> String {
+pub fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (index, digit) in digits.chars().enumerate() {

@@ -1,0 +1,49 @@
+/*
+ * The filter with the emitted C.
+ */
+#include "ekf.h"
+
+#include "navigation.h"
+#include "sine.h"
+
+#include <string.h>
+
+static navigation_t navigation;
+static navigation_step_work_t work;
+
+void start(const real spread[STATES])
+{
+    navigation_init(&navigation);
+    navigation_start(&navigation, spread);
+}
+
+void step(const real rate[3], const real force[3], real period, const real measured[6])
+{
+    inertial_t inertial;
+    (void)memcpy(inertial.rate, rate, sizeof inertial.rate);
+    (void)memcpy(inertial.force, force, sizeof inertial.force);
+    (void)navigation_step(&navigation, &inertial, period, measured, &work);
+}
+
+void angles(const real three[3], real six[6])
+{
+    for (size_t i = 0; i < 3; i++) {
+#ifdef EKF_SINGLE
+        six[2 * i] = sine_sinf(three[i]);
+        six[2 * i + 1] = sine_cosf(three[i]);
+#else
+        six[2 * i] = sine_sin(three[i]);
+        six[2 * i + 1] = sine_cos(three[i]);
+#endif
+    }
+}
+
+void finish(real state[STATES], real covariance[HALF])
+{
+    (void)memcpy(state, navigation.state, sizeof navigation.state);
+    for (size_t row = 0; row < STATES; row++) {
+        for (size_t col = 0; col <= row; col++) {
+            *covariance++ = navigation.covariance.elements[row + STATES * col];
+        }
+    }
+}
