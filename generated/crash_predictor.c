@@ -30,10 +30,9 @@ static const uint32_t CONFIRMATION_PERIODS = 3U;
 static const double LANDING_HEIGHT = 0.2;
 
 static alarm_t crash_predictor_find(const limits_t *limits, const estimate_t *now,
-    const ages_t *ages, double climb);
+    const orientation_t *orientation, const ages_t *ages, double climb);
 static alarm_t crash_predictor_find_in_motion(const limits_t *limits, const estimate_t *now,
     const orientation_t *orientation, double climb, double horizon);
-static double crash_predictor_tilt_cosine(const double angles[3]);
 
 void limits_room(limits_t *limits)
 {
@@ -59,10 +58,11 @@ void crash_predictor_init(crash_predictor_t *self)
 }
 
 alarm_t crash_predictor_step(crash_predictor_t *BESSEMER_RESTRICT self, const limits_t *limits,
-    bool flying, const estimate_t *estimate, const ages_t *ages, double climb)
+    bool flying, const estimate_t *estimate, const orientation_t *orientation, const ages_t *ages,
+    double climb)
 {
     if (flying && limits->armed && self->alarm == ALARM_CLEAR) {
-        const alarm_t found = crash_predictor_find(limits, estimate, ages, climb);
+        const alarm_t found = crash_predictor_find(limits, estimate, orientation, ages, climb);
         self->violations = saturating_add_u32(self->violations, 1U);
         if (found == ALARM_CLEAR) {
             self->violations = 0U;
@@ -83,7 +83,7 @@ void crash_predictor_raise(crash_predictor_t *self, alarm_t alarm)
 
 /** Returns the limit that is exceeded now or within the horizon. */
 static alarm_t crash_predictor_find(const limits_t *limits, const estimate_t *now,
-    const ages_t *ages, double climb)
+    const orientation_t *orientation, const ages_t *ages, double climb)
 {
     const double sum = sqrt(now->position[0] * now->position[0]
         + now->position[1] * now->position[1] + now->position[2] * now->position[2])
@@ -113,21 +113,21 @@ static alarm_t crash_predictor_find(const limits_t *limits, const estimate_t *no
     if (across > limits->rates[0] || fabs(now->rates[2]) > limits->rates[1]) {
         return ALARM_SPIN;
     }
-    orientation_t orientation;
-    orientation_of(now->angles, &orientation);
     double ahead_angle_rates[3];
-    orientation_angle_rates(&orientation, now->rates, ahead_angle_rates);
+    orientation_angle_rates(orientation, now->rates, ahead_angle_rates);
     const double ahead[3] = {
         now->angles[0] + ahead_angle_rates[0] * horizon,
         now->angles[1] + ahead_angle_rates[1] * horizon,
         now->angles[2] + ahead_angle_rates[2] * horizon
     };
     const double upright = sine_cos(limits->tilt);
-    if (crash_predictor_tilt_cosine(now->angles) < upright
-            || crash_predictor_tilt_cosine(ahead) < upright) {
+    const bool tilted = orientation->c1 * orientation->c2 < upright;
+
+    /* The cosine of the angle between the body's z and the inertial frame's. */
+    if (tilted || sine_cos(ahead[0]) * sine_cos(ahead[1]) < upright) {
         return ALARM_TILT;
     }
-    return crash_predictor_find_in_motion(limits, now, &orientation, climb, horizon);
+    return crash_predictor_find_in_motion(limits, now, orientation, climb, horizon);
 }
 
 /** Returns the limit of speed or position that is exceeded now or within the horizon. */
@@ -174,10 +174,4 @@ static alarm_t crash_predictor_find_in_motion(const limits_t *limits, const esti
         return ALARM_IMPACT;
     }
     return ALARM_CLEAR;
-}
-
-/** Cosine of the angle between the body's z and the inertial frame's. */
-static double crash_predictor_tilt_cosine(const double angles[3])
-{
-    return sine_cos(angles[0]) * sine_cos(angles[1]);
 }

@@ -20,6 +20,7 @@
 
 #include "bessemer_calls.h"
 #include "estimator.h"
+#include "geometry.h"
 #include "signals.h"
 
 #ifdef __cplusplus
@@ -95,11 +96,12 @@ void limits_room(limits_t *limits);
 void crash_predictor_init(crash_predictor_t *self);
 
 /**
- * Checks the limits for one period and returns the alarm. Only a flying aircraft is checked. `climb` is the
- * vertical acceleration, m/s².
+ * Checks the limits for one period and returns the alarm. Only a flying aircraft is checked. `orientation` is the
+ * estimated one, `climb` the vertical acceleration, m/s².
  */
 alarm_t crash_predictor_step(crash_predictor_t *BESSEMER_RESTRICT self, const limits_t *limits,
-    bool flying, const estimate_t *estimate, const ages_t *ages, double climb);
+    bool flying, const estimate_t *estimate, const orientation_t *orientation, const ages_t *ages,
+    double climb);
 
 /**
  * Raises an alarm that does not depend on the state.

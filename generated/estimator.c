@@ -83,11 +83,12 @@ static void estimator_read_inertial(estimator_t *BESSEMER_RESTRICT self, const s
     const push_t *commanded, const measured_t *measured);
 static double estimator_reset_timeout(const estimator_t *self);
 static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    double work[BESSEMER_RESTRICT 144]);
+    double work[BESSEMER_RESTRICT 144], orientation_t *BESSEMER_RESTRICT orientation);
 static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const measured_t *measured, double work[BESSEMER_RESTRICT 108]);
+    const sensors_t *sensors, const measured_t *measured, const orientation_t *orientation,
+    double work[BESSEMER_RESTRICT 108]);
 static bool estimator_correct_angles(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    const double angles[3], double work[BESSEMER_RESTRICT 108]);
+    const double angles[3], const orientation_t *orientation, double work[BESSEMER_RESTRICT 108]);
 static bool estimator_correct_position(estimator_t *BESSEMER_RESTRICT self,
     const sensors_t *sensors, const double place[3]);
 static void estimator_inflate_covariance(estimator_t *self);
@@ -195,9 +196,10 @@ void estimator_step(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensor
 {
     estimator_advance_ages(self, sensors->period);
     estimator_read_inertial(self, sensors, commanded, measured);
-    estimator_advance(self, sensors, work->numbers);
+    orientation_t orientation;
+    estimator_advance(self, sensors, work->numbers, &orientation);
     if (measured->vicon.fresh) {
-        estimator_correct_by_vicon(self, sensors, measured, work->numbers);
+        estimator_correct_by_vicon(self, sensors, measured, &orientation, work->numbers);
     }
     const double distance[3] = {measured->distance, 0.0, 0.0};
     bool echo_is_new = false;
@@ -277,11 +279,11 @@ static double estimator_reset_timeout(const estimator_t *self)
 }
 
 /**
- * Predicts the state over one period.
+ * Predicts the state over one period, and returns the predicted orientation.
  * `work` is scratch memory; its contents mean nothing between calls.
  */
 static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    double work[BESSEMER_RESTRICT 144])
+    double work[BESSEMER_RESTRICT 144], orientation_t *BESSEMER_RESTRICT orientation)
 {
     double noise[2] = {sensors->gyroscope[0], sensors->gyroscope[1]};
     if (estimator_gyro_lost(self)) {
@@ -300,10 +302,9 @@ static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors
     } else {
         /* Nothing. */
     }
-    orientation_t orientation;
-    orientation_of(self->attitude.angles, &orientation);
+    orientation_of(self->attitude.angles, orientation);
     double push_rotation[9];
-    orientation_rotation(&orientation, push_rotation);
+    orientation_rotation(orientation, push_rotation);
     const double push_product[3] = {
         push_rotation[0 + 3 * 0] * self->force[0] + push_rotation[0 + 3 * 1] * self->force[1]
             + push_rotation[0 + 3 * 2] * self->force[2],
@@ -333,11 +334,12 @@ static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors
 }
 
 /**
- * Corrects the state by Vicon's reading, if it is plausible.
+ * Corrects the state by Vicon's reading, if it is plausible. `orientation` is the predicted one.
  * `work` is scratch memory; its contents mean nothing between calls.
  */
 static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const measured_t *measured, double work[BESSEMER_RESTRICT 108])
+    const sensors_t *sensors, const measured_t *measured, const orientation_t *orientation,
+    double work[BESSEMER_RESTRICT 108])
 {
     const vicon_t *const vicon = &measured->vicon;
     const double space[3] = {
@@ -353,7 +355,7 @@ static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
         self->outliers = saturating_add_u32(self->outliers, 1U);
         return;
     }
-    const bool turned = estimator_correct_angles(self, sensors, vicon->angles, work);
+    const bool turned = estimator_correct_angles(self, sensors, vicon->angles, orientation, work);
     const bool moved = estimator_correct_position(self, sensors, place);
     if (turned && moved) {
         self->ages.vicon = 0.0;
@@ -372,17 +374,15 @@ static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
  * `work` is scratch memory; its contents mean nothing between calls.
  */
 static bool estimator_correct_angles(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    const double angles[3], double work[BESSEMER_RESTRICT 108])
+    const double angles[3], const orientation_t *orientation, double work[BESSEMER_RESTRICT 108])
 {
-    orientation_t orientation;
-    orientation_of(self->attitude.angles, &orientation);
     const double rates_body_rates[3] = {
         self->rates[0] - self->attitude.bias[0],
         self->rates[1] - self->attitude.bias[1],
         self->rates[2] - self->attitude.bias[2]
     };
     double rates[3];
-    orientation_angle_rates(&orientation, rates_body_rates, rates);
+    orientation_angle_rates(orientation, rates_body_rates, rates);
     const double variance = sensors->vicon[1] * sensors->vicon[1];
     static const double all_states[6] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     bool good = true;

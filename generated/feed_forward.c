@@ -106,19 +106,18 @@ double injection_gain(const injection_t *self, double time)
     return min_f64(max_f64(grown, 0.0), self->most);
 }
 
-void feed_forward_compensation(const airframe_t *airframe, const estimate_t *estimate,
-    double friction, double speeds[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS])
+void feed_forward_compensation(const airframe_t *airframe, const orientation_t *orientation,
+    const double velocity[3], double friction,
+    double speeds[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS])
 {
-    orientation_t orientation;
-    orientation_of(estimate->angles, &orientation);
     double vector[3];
-    orientation_upwards(&orientation, vector);
+    orientation_upwards(orientation, vector);
     const double weight = vector[2] * airframe->mass * AIRFRAME_GRAVITY;
     double drag_thrust_direction[3];
-    orientation_thrust_direction(&orientation, drag_thrust_direction);
-    const double drag = (drag_thrust_direction[0] * estimate->velocity[0]
-        + drag_thrust_direction[1] * estimate->velocity[1]
-        + drag_thrust_direction[2] * estimate->velocity[2]) * friction;
+    orientation_thrust_direction(orientation, drag_thrust_direction);
+    const double drag = (drag_thrust_direction[0] * velocity[0]
+        + drag_thrust_direction[1] * velocity[1] + drag_thrust_direction[2] * velocity[2])
+        * friction;
     const double each = max_f64((weight + drag) / (double)airframe->motors, 0.0);
     double factors[AIRFRAME_MAX_MOTORS];
     airframe_thrust_factors(airframe, factors);

@@ -18,7 +18,7 @@
 #include "airframe.h"
 #include "bessemer_calls.h"
 #include "bessemer_sizes.h"
-#include "signals.h"
+#include "geometry.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -83,8 +83,9 @@ double injection_gain(const injection_t *self, double time);
  *
  * `airframe` is the aircraft as it is believed to be: its coefficients are what the identification finds.
  */
-void feed_forward_compensation(const airframe_t *airframe, const estimate_t *estimate,
-    double friction, double speeds[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS]);
+void feed_forward_compensation(const airframe_t *airframe, const orientation_t *orientation,
+    const double velocity[3], double friction,
+    double speeds[BESSEMER_RESTRICT AIRFRAME_MAX_MOTORS]);
 
 #ifdef __cplusplus
 }

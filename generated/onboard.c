@@ -26,6 +26,7 @@
 #include "crash_predictor.h"
 #include "estimator.h"
 #include "feed_forward.h"
+#include "geometry.h"
 #include "logger.h"
 #include "packet.h"
 #include "parameters.h"
@@ -59,7 +60,7 @@ static const double REST_LIMITS[2] = {0.1, 0.1};
 
 static void onboard_arm(onboard_t *BESSEMER_RESTRICT self, const estimate_t *estimate);
 static alarm_t onboard_watch(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
-    uint64_t time, const estimate_t *estimate);
+    uint64_t time, const estimate_t *estimate, const orientation_t *orientation);
 static void onboard_update_gain(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
     const reference_t *reference);
 static void onboard_send(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
@@ -112,7 +113,10 @@ void onboard_step(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
     if (self->receiver.orders.arm) {
         onboard_arm(self, &outputs->estimate);
     }
-    const alarm_t alarm = onboard_watch(self, settings, inputs->time, &outputs->estimate);
+    orientation_t orientation;
+    orientation_of(outputs->estimate.angles, &orientation);
+    const alarm_t alarm = onboard_watch(self, settings, inputs->time, &outputs->estimate,
+        &orientation);
     if (alarm != ALARM_CLEAR) {
         reference_generator_end(&self->reference);
     }
@@ -123,9 +127,10 @@ void onboard_step(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
     onboard_update_gain(self, settings, &outputs->reference);
     command_still(&outputs->command);
     if (outputs->reference.motors) {
+        const double friction = settings->injection.friction;
         double whole[AIRFRAME_MAX_MOTORS];
-        feed_forward_compensation(&settings->airframe, &outputs->estimate,
-            settings->injection.friction, whole);
+        feed_forward_compensation(&settings->airframe, &orientation, outputs->estimate.velocity,
+            friction, whole);
         double share[AIRFRAME_MAX_MOTORS];
         for (uint32_t i = 0U; i < AIRFRAME_MAX_MOTORS; i++) {
             share[i] = whole[i] * self->gain;
@@ -166,7 +171,7 @@ static void onboard_arm(onboard_t *BESSEMER_RESTRICT self, const estimate_t *est
 
 /** Updates the alarms and returns the present one. */
 static alarm_t onboard_watch(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
-    uint64_t time, const estimate_t *estimate)
+    uint64_t time, const estimate_t *estimate, const orientation_t *orientation)
 {
     if (self->receiver.orders.stop) {
         crash_predictor_raise(&self->predictor, ALARM_COMMANDED);
@@ -176,7 +181,7 @@ static alarm_t onboard_watch(onboard_t *BESSEMER_RESTRICT self, const settings_t
     }
     const bool flying = reference_generator_is_flying(&self->reference);
     const double climb = self->estimator.climb;
-    return crash_predictor_step(&self->predictor, &settings->limits, flying, estimate,
+    return crash_predictor_step(&self->predictor, &settings->limits, flying, estimate, orientation,
         &self->estimator.ages, climb);
 }
 

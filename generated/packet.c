@@ -19,6 +19,12 @@
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
+/** Remainders of the 16 values of four bits, by the polynomial 0x1021. */
+static const uint16_t REMAINDERS[16] = {
+    0x0U, 0x1021U, 0x2042U, 0x3063U, 0x4084U, 0x50A5U, 0x60C6U, 0x70E7U, 0x8108U, 0x9129U, 0xA14AU,
+    0xB16BU, 0xC18CU, 0xD1ADU, 0xE1CEU, 0xF1EFU
+};
+
 /** First sync byte. */
 static const uint8_t SYNC_1 = 0xA5U;
 
@@ -122,18 +128,17 @@ uint64_t packet_word(const packet_t *self, uint64_t at)
         | ((uint64_t)eight[6] << 48U) | ((uint64_t)eight[7] << 56U);
 }
 
-/** Returns the CRC-16/CCITT of the bytes (polynomial 0x1021, initial value 0xFFFF). */
+/**
+ * Returns the CRC-16/CCITT of the bytes (polynomial 0x1021, initial value 0xFFFF), four bits at a time.
+ */
 static uint16_t packet_checksum(const uint8_t bytes[], uint64_t bytes_length)
 {
     uint16_t sum = 0xFFFFU;
     for (uint64_t i = UINT64_C(0); i < bytes_length; i++) {
-        sum = (uint16_t)(sum ^ ((uint32_t)bytes[i] << 8));
-        for (int32_t pass = 0; pass < 8; pass++) {
-            if ((sum & 0x8000U) != 0U) {
-                sum = (uint16_t)(((uint32_t)sum << 1) ^ 0x1021U);
-            } else {
-                sum = (uint16_t)((uint32_t)sum << 1);
-            }
+        const uint8_t elements[2] = {(uint8_t)(bytes[i] >> 4), (uint8_t)(bytes[i] & 0xFU)};
+        for (uint32_t j = 0U; j < 2U; j++) {
+            const uint16_t row = (uint16_t)((sum >> 12) ^ (uint16_t)elements[j]);
+            sum = (uint16_t)(((uint32_t)sum << 4) ^ REMAINDERS[(uint16_t)(row & 0xFU)]);
         }
     }
     return sum;

@@ -103,19 +103,20 @@ pub struct CrashPredictor {
 
 #[component]
 impl CrashPredictor {
-    /// Checks the limits for one period and returns the alarm. Only a flying aircraft is checked. `climb` is the
-    /// vertical acceleration, m/s².
+    /// Checks the limits for one period and returns the alarm. Only a flying aircraft is checked. `orientation` is the
+    /// estimated one, `climb` the vertical acceleration, m/s².
     #[entry(infallible)]
     pub fn step(
         &mut self,
         limits: &Limits,
         flying: bool,
         estimate: &Estimate,
+        orientation: &Orientation,
         ages: &Ages,
         climb: f64,
     ) -> Alarm {
         if flying && limits.armed && self.alarm == Alarm::Clear {
-            let found = CrashPredictor::find(limits, estimate, ages, climb);
+            let found = CrashPredictor::find(limits, estimate, orientation, ages, climb);
             self.violations = self.violations.saturating_add(1);
             if found == Alarm::Clear {
                 self.violations = 0;
@@ -136,7 +137,13 @@ impl CrashPredictor {
     }
 
     /// Returns the limit that is exceeded now or within the horizon.
-    fn find(limits: &Limits, now: &Estimate, ages: &Ages, climb: f64) -> Alarm {
+    fn find(
+        limits: &Limits,
+        now: &Estimate,
+        orientation: &Orientation,
+        ages: &Ages,
+        climb: f64,
+    ) -> Alarm {
         let sum = now.position.norm() + now.angles.norm() + now.velocity.norm() + now.rates.norm();
         if !sum.is_finite() {
             return Alarm::Undefined;
@@ -161,13 +168,14 @@ impl CrashPredictor {
         if across > limits.rates.x || now.rates.z.abs() > limits.rates.y {
             return Alarm::Spin;
         }
-        let orientation = Orientation::of(&now.angles);
         let ahead = now.angles + orientation.angle_rates(&now.rates) * horizon;
         let upright = limits.tilt.cos();
-        if tilt_cosine(&now.angles) < upright || tilt_cosine(&ahead) < upright {
+        let tilted = orientation.c1 * orientation.c2 < upright;
+        // The cosine of the angle between the body's z and the inertial frame's.
+        if tilted || ahead.x.cos() * ahead.y.cos() < upright {
             return Alarm::Tilt;
         }
-        CrashPredictor::find_in_motion(limits, now, &orientation, climb, horizon)
+        CrashPredictor::find_in_motion(limits, now, orientation, climb, horizon)
     }
 
     /// Returns the limit of speed or position that is exceeded now or within the horizon.
@@ -199,10 +207,4 @@ impl CrashPredictor {
         }
         Alarm::Clear
     }
-}
-
-/// Cosine of the angle between the body's z and the inertial frame's.
-#[function]
-fn tilt_cosine(angles: &Vector3<f64>) -> f64 {
-    angles.x.cos() * angles.y.cos()
 }

@@ -206,9 +206,9 @@ impl Estimator {
     pub fn step(&mut self, sensors: &Sensors, commanded: &Push, measured: &Measured) -> Estimate {
         self.advance_ages(sensors.period);
         self.read_inertial(sensors, commanded, measured);
-        self.advance(sensors);
+        let orientation = self.advance(sensors);
         if measured.vicon.fresh {
-            self.correct_by_vicon(sensors, measured);
+            self.correct_by_vicon(sensors, measured, &orientation);
         }
         let distance = Vector3::new(measured.distance, 0.0, 0.0);
         let echo_is_new = measured.echo && self.altimeter.is_new(&distance);
@@ -259,8 +259,8 @@ impl Estimator {
         if self.gyro_lost() { GYRO_LOST_RESET_TIMEOUT } else { RESET_TIMEOUT }
     }
 
-    /// Predicts the state over one period.
-    fn advance(&mut self, sensors: &Sensors) {
+    /// Predicts the state over one period, and returns the predicted orientation.
+    fn advance(&mut self, sensors: &Sensors) -> Orientation {
         let mut noise = sensors.gyroscope;
         if self.gyro_lost() {
             noise = PREDICTED_RATE_NOISE;
@@ -287,10 +287,16 @@ impl Estimator {
             self.axes[2].state[0] = -LOWEST_DEPTH;
             self.axes[2].state[1] = self.axes[2].state[1].max(0.0);
         }
+        orientation
     }
 
-    /// Corrects the state by Vicon's reading, if it is plausible.
-    fn correct_by_vicon(&mut self, sensors: &Sensors, measured: &Measured) {
+    /// Corrects the state by Vicon's reading, if it is plausible. `orientation` is the predicted one.
+    fn correct_by_vicon(
+        &mut self,
+        sensors: &Sensors,
+        measured: &Measured,
+        orientation: &Orientation,
+    ) {
         let vicon = measured.vicon;
         let space = sensors.vicon_space;
         let place = vicon.position;
@@ -302,7 +308,7 @@ impl Estimator {
             return;
         }
 
-        let turned = self.correct_angles(sensors, &vicon.angles);
+        let turned = self.correct_angles(sensors, &vicon.angles, orientation);
         let moved = self.correct_position(sensors, &place);
         if turned && moved {
             self.ages.vicon = 0.0;
@@ -317,8 +323,12 @@ impl Estimator {
     }
 
     /// Corrects the attitude by Vicon's angles, one at a time; returns true if all were accepted.
-    fn correct_angles(&mut self, sensors: &Sensors, angles: &Vector3<f64>) -> bool {
-        let orientation = Orientation::of(&self.attitude.angles);
+    fn correct_angles(
+        &mut self,
+        sensors: &Sensors,
+        angles: &Vector3<f64>,
+        orientation: &Orientation,
+    ) -> bool {
         let rates = orientation.angle_rates(&(self.rates - self.attitude.bias));
         let variance = sensors.vicon.y * sensors.vicon.y;
         let all_states = Vector6::repeat(1.0);

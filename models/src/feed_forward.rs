@@ -7,7 +7,6 @@
 
 use crate::airframe::{Airframe, GRAVITY, MAX_MOTORS};
 use crate::geometry::Orientation;
-use crate::signals::Estimate;
 use bessemer::prelude::*;
 
 /// Growth of the gain from 0 to its final value.
@@ -110,12 +109,12 @@ impl Injection {
 #[function]
 pub fn compensation(
     airframe: &Airframe,
-    estimate: &Estimate,
+    orientation: &Orientation,
+    velocity: &Vector3<f64>,
     friction: f64,
 ) -> SVector<f64, MAX_MOTORS> {
-    let orientation = Orientation::of(&estimate.angles);
     let weight = orientation.upwards().z * airframe.mass * GRAVITY;
-    let drag = orientation.thrust_direction().dot(&estimate.velocity) * friction;
+    let drag = orientation.thrust_direction().dot(velocity) * friction;
     let each = ((weight + drag) / airframe.motors as f64).max(0.0);
     let factors = airframe.thrust_factors();
     let mut speeds = SVector::zeros();

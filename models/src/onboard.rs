@@ -12,6 +12,7 @@ use crate::estimator::{Ages, Estimator, Sensors};
 use crate::expectation::Push;
 use crate::feed_forward::{Injection, compensation};
 use crate::gate::Refused;
+use crate::geometry::Orientation;
 use crate::logger::{Choice, Logger, SIGNALS};
 use crate::packet::Packet;
 use crate::parameters::Parameters;
@@ -151,7 +152,8 @@ impl Onboard {
         if self.receiver.orders.arm {
             self.arm(&estimate);
         }
-        let alarm = self.watch(settings, inputs.time, &estimate);
+        let orientation = Orientation::of(&estimate.angles);
+        let alarm = self.watch(settings, inputs.time, &estimate, &orientation);
         if alarm != Alarm::Clear {
             self.reference.end();
         }
@@ -163,7 +165,9 @@ impl Onboard {
         self.update_gain(settings, &reference);
         let mut command = Command::still();
         if reference.motors {
-            let whole = compensation(&settings.airframe, &estimate, settings.injection.friction);
+            let friction = settings.injection.friction;
+            let velocity = &estimate.velocity;
+            let whole = compensation(&settings.airframe, &orientation, velocity, friction);
             let parameters = &settings.parameters;
             let target = &reference.target;
             let share = whole * self.gain;
@@ -203,7 +207,13 @@ impl Onboard {
     }
 
     /// Updates the alarms and returns the present one.
-    fn watch(&mut self, settings: &Settings, time: u64, estimate: &Estimate) -> Alarm {
+    fn watch(
+        &mut self,
+        settings: &Settings,
+        time: u64,
+        estimate: &Estimate,
+        orientation: &Orientation,
+    ) -> Alarm {
         if self.receiver.orders.stop {
             self.predictor.raise(Alarm::Commanded);
         }
@@ -212,7 +222,8 @@ impl Onboard {
         }
         let flying = self.reference.is_flying();
         let climb = self.estimator.climb;
-        self.predictor.step(&settings.limits, flying, estimate, &self.estimator.ages, climb)
+        let ages = &self.estimator.ages;
+        self.predictor.step(&settings.limits, flying, estimate, orientation, ages, climb)
     }
 
     /// Moves the gain of the feed-forward towards its setpoint.

@@ -133,18 +133,21 @@ impl Packet {
     }
 }
 
-/// Returns the CRC-16/CCITT of the bytes (polynomial 0x1021, initial value 0xFFFF).
+/// Remainders of the 16 values of four bits, by the polynomial 0x1021.
+#[data]
+const REMAINDERS: [u16; 16] = [
+    0x0000, 0x1021, 0x2042, 0x3063, 0x4084, 0x50A5, 0x60C6, 0x70E7, 0x8108, 0x9129, 0xA14A, 0xB16B,
+    0xC18C, 0xD1AD, 0xE1CE, 0xF1EF,
+];
+
+/// Returns the CRC-16/CCITT of the bytes (polynomial 0x1021, initial value 0xFFFF), four bits at a time.
 #[function]
 fn checksum(bytes: &[u8]) -> u16 {
     let mut sum: u16 = 0xFFFF;
     for byte in bytes {
-        sum ^= (*byte as u16) << 8;
-        for _ in 0..8 {
-            if sum & 0x8000 != 0 {
-                sum = (sum << 1) ^ 0x1021;
-            } else {
-                sum <<= 1;
-            }
+        for part in [*byte >> 4, *byte & 0xF] {
+            let row = (sum >> 12) ^ part as u16;
+            sum = (sum << 4) ^ REMAINDERS[(row & 0xF) as usize];
         }
     }
     sum

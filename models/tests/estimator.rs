@@ -1,15 +1,15 @@
 //! The filters: covariances stay what they are, gates keep out what is too far.
 
 use bessemer::nalgebra::{SMatrix, Vector3, Vector6};
+use models::Airframe;
 use models::attitude_filter::AttitudeFilter;
 use models::axis_filter::AxisFilter;
 use models::calibration::{Measured, Vicon};
 use models::estimator::{Estimator, Sensors};
 use models::expectation::{Expectation, Push};
 use models::feed_forward::{Injection, compensation};
-use models::geometry::wrapped;
+use models::geometry::{Orientation, wrapped};
 use models::stuck::Stuck;
-use models::{Airframe, Estimate};
 
 fn is_covariance<const N: usize>(p: &SMatrix<f64, N, N>) -> bool
 where
@@ -108,13 +108,15 @@ fn angles_are_the_same_after_whole_turns() {
 #[test]
 fn feed_forward_carries_the_weight() {
     for airframe in [Airframe::mambo(), Airframe::hexacopter()] {
-        let speeds = compensation(&airframe, &Estimate::default(), 0.0);
+        let still = Vector3::zeros();
+        let level = Orientation::of(&still);
+        let speeds = compensation(&airframe, &level, &still, 0.0);
         let wrench = airframe.wrench(&speeds);
         assert!((wrench.thrust - airframe.mass * 9.81).abs() < 1e-12, "{wrench:?}");
         assert!(wrench.torque.norm() < 1e-12, "{wrench:?}");
         // (4.7): leaning, the part of the weight along the body's z.
-        let leaning = Estimate { angles: Vector3::new(0.3, -0.4, 0.9), ..Estimate::default() };
-        let thrust = airframe.wrench(&compensation(&airframe, &leaning, 0.0)).thrust;
+        let leaning = Orientation::of(&Vector3::new(0.3, -0.4, 0.9));
+        let thrust = airframe.wrench(&compensation(&airframe, &leaning, &still, 0.0)).thrust;
         let part = 0.3_f64.cos() * 0.4_f64.cos() * airframe.mass * 9.81;
         assert!((thrust - part).abs() < 1e-12, "{thrust}");
     }
