@@ -80,6 +80,7 @@ void airframe_thrust_factors(const airframe_t *self,
 {
     const double area = self->disc_area * self->propeller_radius * self->propeller_radius;
     const double result_product = self->air_density * area;
+    BESSEMER_FEW_PASSES
     for (uint32_t i = 0U; i < AIRFRAME_MAX_MOTORS; i++) {
         result[i] = self->thrust_coefficients[i] * result_product;
     }
@@ -91,6 +92,7 @@ void airframe_drag_factors(const airframe_t *self,
     const double radius = self->propeller_radius;
     const double volume = self->disc_area * radius * radius * radius;
     const double result_product = self->air_density * volume;
+    BESSEMER_FEW_PASSES
     for (uint32_t i = 0U; i < AIRFRAME_MAX_MOTORS; i++) {
         result[i] = self->drag_coefficients[i] * result_product;
     }

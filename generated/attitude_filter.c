@@ -88,6 +88,7 @@ bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, const do
         return false;
     }
     double gain[6];
+    BESSEMER_FEW_PASSES
     for (uint32_t i = 0U; i < 6U; i++) {
         gain[i] = spread[i] * moves[i] / expected;
     }

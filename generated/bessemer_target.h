@@ -14,6 +14,16 @@
 
 #include <float.h>
 
+/* Has gcc write out the few passes of the loop behind it, unless the text is to be short (-Os). */
+#if !defined(BESSEMER_FEW_PASSES)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__INTEL_COMPILER) \
+    && (__GNUC__ > 7) && !defined(__OPTIMIZE_SIZE__)
+#define BESSEMER_FEW_PASSES _Pragma("GCC unroll 12")
+#else
+#define BESSEMER_FEW_PASSES
+#endif
+#endif
+
 #if FLT_MANT_DIG != 24 || DBL_MANT_DIG != 53
 #error "float and double must have 24 and 53 bits, as IEEE 754 has them"
 #endif

@@ -52,6 +52,7 @@ void covariance_grown_3(const double covariance[9], const double advance[9], con
     double result_product_2[9];
     product_tr_f64_3x3_3x3(result_product, advance, result_product_2);
     double result_matrix[9];
+    BESSEMER_FEW_PASSES
     for (uint32_t i = 0U; i < 9U; i++) {
         result_matrix[i] = result_product_2[i] + growth[i];
     }
@@ -82,6 +83,7 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
     };
     double kept[9];
     for (uint32_t column = 0U; column < 3U; column++) {
+        BESSEMER_FEW_PASSES
         for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
             kept[row_2 + 3U * column] = kept_matrix[row_2 + 3U * column]
                 - gain[row_2] * row[column];
@@ -93,6 +95,7 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
     product_tr_f64_3x3_3x3(result_product, kept, result_product_2);
     double result_matrix[9];
     for (uint32_t column = 0U; column < 3U; column++) {
+        BESSEMER_FEW_PASSES
         for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
             result_matrix[row_2 + 3U * column] = result_product_2[row_2 + 3U * column]
                 + gain[row_2] * gain[column] * variance;
@@ -114,6 +117,7 @@ void covariance_corrected_6(const double covariance[36], const double row[6], co
     };
     double *const kept = work;
     for (uint32_t column = 0U; column < 6U; column++) {
+        BESSEMER_FEW_PASSES
         for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
             kept[row_2 + 6U * column] = kept_matrix[row_2 + 6U * column]
                 - gain[row_2] * row[column];
@@ -125,6 +129,7 @@ void covariance_corrected_6(const double covariance[36], const double row[6], co
     product_tr_f64_6x6_6x6(result_product, kept, result_product_2);
     double *const result_matrix = work;
     for (uint32_t column = 0U; column < 6U; column++) {
+        BESSEMER_FEW_PASSES
         for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
             result_matrix[row_2 + 6U * column] = result_product_2[row_2 + 6U * column]
                 + gain[row_2] * gain[column] * variance;
@@ -141,6 +146,7 @@ void covariance_corrected_6(const double covariance[36], const double row[6], co
 static void covariance_symmetric_3(const double matrix[9], double result[BESSEMER_RESTRICT 9])
 {
     for (uint32_t column = 0U; column < 3U; column++) {
+        BESSEMER_FEW_PASSES
         for (uint32_t row = 0U; row < 3U; row++) {
             result[row + 3U * column] = (matrix[row + 3U * column] + matrix[column + 3U * row])
                 * 0.5;
@@ -156,6 +162,7 @@ static void covariance_symmetric_3(const double matrix[9], double result[BESSEME
 static void covariance_symmetric_6(const double matrix[36], double result[BESSEMER_RESTRICT 36])
 {
     for (uint32_t column = 0U; column < 6U; column++) {
+        BESSEMER_FEW_PASSES
         for (uint32_t row = 0U; row < 6U; row++) {
             result[row + 6U * column] = (matrix[row + 6U * column] + matrix[column + 6U * row])
                 * 0.5;

@@ -69,6 +69,7 @@ void mixer_mix(const mixer_t *self, const wrench_t *wanted,
 void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *BESSEMER_RESTRICT wrench)
 {
     double squares[8];
+    BESSEMER_FEW_PASSES
     for (uint32_t i = 0U; i < 8U; i++) {
         squares[i] = command->speeds[i] * command->speeds[i];
     }
@@ -91,6 +92,7 @@ static void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MAX_MOTORS
     static const double kept_base[8] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double kept_share = mixer_share(kept_base, tilt, largest);
     double kept[AIRFRAME_MAX_MOTORS];
+    BESSEMER_FEW_PASSES
     for (uint32_t i = 0U; i < AIRFRAME_MAX_MOTORS; i++) {
         kept[i] = tilt[i] * kept_share;
     }
@@ -98,6 +100,7 @@ static void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MAX_MOTORS
 
     /* Change of the lift that keeps every motor within its limits. */
     double wanted[8];
+    BESSEMER_FEW_PASSES
     for (uint32_t i = 0U; i < 8U; i++) {
         wanted[i] = lift[i] + (kept[i] + twist[i] * turn_share);
     }

@@ -132,6 +132,7 @@ void onboard_step(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
         feed_forward_compensation(&settings->airframe, &orientation, outputs->estimate.velocity,
             friction, whole);
         double share[AIRFRAME_MAX_MOTORS];
+        BESSEMER_FEW_PASSES
         for (uint32_t i = 0U; i < AIRFRAME_MAX_MOTORS; i++) {
             share[i] = whole[i] * self->gain;
         }

@@ -128,7 +128,8 @@ fn the_controller_keeps_its_authors_words() {
         file.map(|file| file.text.as_str()).unwrap_or_default()
     };
     let (header, source) = (text("height.h"), text("height.c"));
-    let step = " * Advances one control period and returns the commanded thrust (thesis, eq. (3.14)), N.\n";
+    let step =
+        "Advances one control period and returns the commanded thrust (thesis, eq. (3.14)), N.";
     assert!(header.contains(step));
     assert!(header.contains("/** Integral of the height error, m·s. */"));
     for line in [

@@ -17,6 +17,8 @@ pub struct StatusNames {
     /// Function of the firmware that a fault calls.
     pub hook: Option<String>,
     prefix: String,
+    /// Macro in front of a loop of few passes; none in C without pragmas.
+    pub few: Option<String>,
 }
 
 /// All faults, in the order of their numbers in C (from 1).
@@ -33,12 +35,22 @@ pub const FAULTS: [Fault; 10] = [
     Fault::Capacity,
 ];
 
+/// Largest number of passes that gcc writes out. On the Cortex-A9 a pass over an element has 5 instructions beside 5 of
+/// the loop's own.
+pub const FEW: u32 = 12;
+
+/// Returns the macro in front of a loop of few passes.
+pub fn few(options: &Options) -> String {
+    format!("{}_FEW_PASSES", identifier(&options.status).to_uppercase())
+}
+
 impl StatusNames {
     /// Returns the names for the user's options.
     pub fn new(options: &Options) -> StatusNames {
         let stem = identifier(&options.status);
         let prefix = format!("{}_STATUS", stem.to_uppercase());
         StatusNames {
+            few: options.pragmas.then(|| few(options)),
             ty: format!("{stem}_status_t"),
             ok: format!("{prefix}_OK"),
             header: options.header(&format!("{stem}_status")),

@@ -12,6 +12,7 @@ use super::file::CFile;
 use super::options::Options;
 use super::shell::{Shell, whole};
 use super::spelling::identifier;
+use super::status::{FEW, few};
 
 /// Returns the header's name.
 pub fn name(options: &Options) -> String {
@@ -30,6 +31,16 @@ fn decided(options: &Options) -> String {
              _Static_assert(CHAR_BIT == 8, \"a byte needs 8 bits\");\n\
              _Static_assert(sizeof(float) == 4U, \"float needs 32 bits\");\n\
              _Static_assert(sizeof(double) == 8U, \"double needs 64 bits\");\n"
+        );
+    }
+    if options.pragmas {
+        let few = few(options);
+        let _ = write!(
+            text,
+            "\n/* Has gcc write out the few passes of the loop behind it, unless the text is to be short (-Os). */\n\
+             #if !defined({few})\n#if defined(__GNUC__) && !defined(__clang__) && !defined(__INTEL_COMPILER) \\\n    \
+             && (__GNUC__ > 7) && !defined(__OPTIMIZE_SIZE__)\n#define {few} _Pragma(\"GCC unroll {FEW}\")\n#else\n\
+             #define {few}\n#endif\n#endif\n"
         );
     }
     if options.threads > 1 {

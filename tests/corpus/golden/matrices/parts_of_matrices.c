@@ -6,6 +6,7 @@ void parts_of_matrices_off(const double turn[9], double result[BESSEMER_RESTRICT
 {
     result[0] = parts_trace_f64_3(turn) - 3.0;
     double largest = fabs(turn[0 + 3 * 0]);
+    BESSEMER_FEW_PASSES
     for (uint32_t i = 1U; i < 9U; i++) {
         largest = upper_f64(largest, fabs(turn[i]));
     }

@@ -20,6 +20,7 @@ void products_spread(const double a[9], const double p[9], const double q[9],
     product_f64_3x3_3x3(a, p, result_product);
     double result_product_2[9];
     product_tr_f64_3x3_3x3(result_product, a, result_product_2);
+    BESSEMER_FEW_PASSES
     for (uint32_t i = 0U; i < 9U; i++) {
         result[i] = result_product_2[i] + q[i];
     }

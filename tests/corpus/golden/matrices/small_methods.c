@@ -54,6 +54,7 @@ void small_methods_rounded(const double a[6],
     elementwise_cast_f64_f32_2_3(a, result->first);
     double result_cast_f32_f64_2_3[6];
     elementwise_cast_f32_f64_2_3(result->first, result_cast_f32_f64_2_3);
+    BESSEMER_FEW_PASSES
     for (uint32_t i = 0U; i < 6U; i++) {
         result->second[i] = result_cast_f32_f64_2_3[i] - a[i];
     }

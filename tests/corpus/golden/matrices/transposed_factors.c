@@ -58,6 +58,7 @@ void transposed_factors_corrected(const double covariance[9], const double gain[
     };
     double kept[9];
     for (uint32_t column = 0U; column < 3U; column++) {
+        BESSEMER_FEW_PASSES
         for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
             kept[row_2 + 3U * column] = kept_matrix[row_2 + 3U * column]
                 - gain[row_2] * row[column];
@@ -68,6 +69,7 @@ void transposed_factors_corrected(const double covariance[9], const double gain[
     double result_product_2[9];
     product_tr_f64_3x3_3x3(result_product, kept, result_product_2);
     for (uint32_t column = 0U; column < 3U; column++) {
+        BESSEMER_FEW_PASSES
         for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
             result[row_2 + 3U * column] = result_product_2[row_2 + 3U * column]
                 + gain[row_2] * gain[column] * variance;
@@ -101,6 +103,7 @@ void transposed_factors_oblongs(const float a[6], const float b[6],
         result->first[8] = product[8];
     }
     for (uint32_t column = 0U; column < 2U; column++) {
+        BESSEMER_FEW_PASSES
         for (uint32_t row = 0U; row < 3U; row++) {
             result->third[row + 3U * column] = a[column + 2U * row]
                 - b[row + 3U * column] * a[column + 2U * row];

@@ -60,6 +60,7 @@ void written_out_others(const double v[3], double noise, double result[BESSEMER_
     parts_cross_matrix_f64(v, result_cross_matrix_f64);
     double result_from_diagonal_element_f64_3_3[9];
     parts_from_diagonal_element_f64_3_3(noise, result_from_diagonal_element_f64_3_3);
+    BESSEMER_FEW_PASSES
     for (uint32_t i = 0U; i < 9U; i++) {
         result[i] = result_cross_matrix_f64[i] + result_from_diagonal_element_f64_3_3[i];
     }

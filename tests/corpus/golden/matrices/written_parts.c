@@ -57,6 +57,7 @@ void blocks_update(blocks_t *BESSEMER_RESTRICT self, const double gain[6], const
         }
     }
     double b[6];
+    BESSEMER_FEW_PASSES
     for (uint32_t i = 0U; i < 6U; i++) {
         b[i] = gain[i] * 2.0;
     }

@@ -205,6 +205,7 @@ impl Lower<'_> {
     fn store_each(&mut self, dest: &Expr, fused: &Fused, scalar: Scalar, shape: (u32, u32)) {
         let layout = self.context.names.layout;
         if fused.is_flat() && layout.is_flat(shape) {
+            self.few(shape.0 * shape.1);
             self.count_up(shape.0 * shape.1, dest, |lower, index| {
                 let value = lower.fused_element(fused, scalar, &At::Counted(&index));
                 lower.assign(dest.clone().at(index), value);
@@ -217,7 +218,10 @@ impl Lower<'_> {
         };
         let rows = |lower: &mut Self, column: Expr| match shape.0 {
             1 => cell(lower, Expr::name("0"), column),
-            rows => lower.count_from("row", 0, rows, |lower, row| cell(lower, row, column)),
+            rows => {
+                lower.few(rows);
+                lower.count_from("row", 0, rows, |lower, row| cell(lower, row, column));
+            }
         };
         match shape.1 {
             1 => rows(self, Expr::name("0")),
