@@ -125,6 +125,9 @@ static const uint8_t RECEIVER_CHOOSE = 14U;
 /** Activates the collected trajectory: number of points, one byte; its tag, one byte. */
 static const uint8_t RECEIVER_COMMIT = 5U;
 
+/** Disarms: no take-off until the next arming; ignored in flight. */
+static const uint8_t RECEIVER_DISARM = 15U;
+
 /** Closes the link: the downlink stops. */
 static const uint8_t RECEIVER_GOODBYE = 2U;
 

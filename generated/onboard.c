@@ -113,6 +113,9 @@ void onboard_step(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
     if (self->receiver.orders.arm) {
         onboard_arm(self, &outputs->estimate);
     }
+    if (self->receiver.orders.disarm && !reference_generator_is_flying(&self->reference)) {
+        reference_generator_end(&self->reference);
+    }
     orientation_t orientation;
     orientation_of(outputs->estimate.angles, &orientation);
     const alarm_t alarm = onboard_watch(self, settings, inputs->time, &outputs->estimate,

@@ -58,6 +58,7 @@ void orders_defaults(orders_t *self)
     self->land = false;
     self->stop = false;
     self->arm = false;
+    self->disarm = false;
     self->link = false;
     self->watched = false;
 
@@ -88,6 +89,7 @@ void receiver_init(receiver_t *self)
     self->orders.land = false;
     self->orders.stop = false;
     self->orders.arm = false;
+    self->orders.disarm = false;
     self->orders.link = false;
     self->orders.watched = false;
 
@@ -143,6 +145,7 @@ void receiver_step(receiver_t *BESSEMER_RESTRICT self, double period, const spac
     self->orders.sticks_age += period;
     self->orders.silence += period;
     self->orders.arm = false;
+    self->orders.disarm = false;
     self->wish.request = REQUEST_NOTHING;
     if (packet->length == UINT64_C(0)) {
         return;
@@ -245,6 +248,8 @@ static bool receiver_take_bare(receiver_t *BESSEMER_RESTRICT self, const space_t
         self->orders.watched = true;
     } else if (kind == RECEIVER_ARM) {
         self->orders.arm = true;
+    } else if (kind == RECEIVER_DISARM) {
+        self->orders.disarm = true;
     } else {
         return false;
     }

@@ -82,6 +82,8 @@ typedef struct {
     bool stop;
     /** True in the period in which preparation of another flight is commanded. */
     bool arm;
+    /** True in the period in which disarming is commanded. */
+    bool disarm;
     /** True if the link is open. */
     bool link;
     /** True if the ground station has announced heartbeats. */

@@ -201,7 +201,7 @@ impl<T: Real> SCurve<T> {
 
 /// Motion with minimum jerk between two states: the polynomial of fifth degree.
 ///
-/// Of all motions between the two positions, speeds and accelerations it has the smallest integral of the squared jerk.
+/// It has the smallest integral of the squared jerk of all motions between the two positions, speeds and accelerations.
 /// The jerk of the ends is not used. Range: a duration above 0.
 ///
 /// ```
@@ -252,8 +252,8 @@ impl<T: Real> MinimumJerk<T> {
 
 /// Motion with minimum snap between two states: the polynomial of seventh degree.
 ///
-/// Of all motions between the two positions, speeds, accelerations and jerks it has the smallest integral of the
-/// squared snap, the fourth derivative. Range: a duration above 0.
+/// It has the smallest integral of the squared snap, the fourth derivative, of all motions between the two positions,
+/// speeds, accelerations and jerks. Range: a duration above 0.
 ///
 /// ```
 /// use bessemer_blocks::{MinimumSnap, Point};

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "receiver.h"
+#include "reference_generator.h"
 #include "tuning.h"
 
 /** After so many periods without a word, another ground station is listened to. */
@@ -22,6 +23,8 @@ void computer_begin(computer_t *computer, const siphash_key_t *key)
     computer->ground.key = *key;
     gate_init(&computer->ground.gate);
     onboard_init(&computer->image.onboard);
+    /* Disarmed: after a start, and after one in flight, the motors wait for somebody who arms them. */
+    reference_generator_end(&computer->image.onboard.reference);
     settings_mambo(&computer->image.settings);
 }
 

@@ -45,6 +45,25 @@ pub const SIGNALS: &[Signal] = signals! {
     54 "variance roll" "rad²"; 55 "variance pitch" "rad²"; 56 "variance yaw" "rad²";
 };
 
+/// Signals of the position in the room.
+pub const PLACE: [u8; 3] = [0, 1, 2];
+/// Signals of roll, pitch and yaw.
+pub const ANGLES: [u8; 3] = [3, 4, 5];
+/// Signals of the velocity in the room.
+pub const VELOCITY: [u8; 3] = [6, 7, 8];
+/// Signals of the turn rates about the body's axes.
+pub const RATES: [u8; 3] = [9, 10, 11];
+/// Signal of the yaw setpoint.
+pub const WANTED_YAW: u8 = 15;
+/// Signal of the flight's phase.
+pub const PHASE: u8 = 16;
+/// Signal of the time since the take-off.
+pub const TIME: u8 = 17;
+/// Signal of the alarm.
+pub const ALARM: u8 = 35;
+/// Signals of the age of Vicon's last measurement, and of the height's.
+pub const AGES: [u8; 2] = [48, 49];
+
 /// Number of the signal without a meaning, which fills a selection.
 pub const UNUSED: u8 = 63;
 

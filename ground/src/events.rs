@@ -123,7 +123,7 @@ pub struct Watch {
 impl Default for Watch {
     fn default() -> Self {
         Self {
-            phase: Phase::Ready,
+            phase: Phase::Over,
             alarm: Alarm::Clear,
             silent: false,
             sources: Default::default(),
@@ -156,7 +156,7 @@ impl Watch {
                 Severity::Critical,
                 format!("the onboard software ended and was restarted: {reason}"),
             );
-            (self.phase, self.alarm) = (Phase::Ready, Alarm::Clear);
+            (self.phase, self.alarm) = (Phase::Over, Alarm::Clear);
         }
         if self.silent != sight.outputs.is_none() {
             self.silent = sight.outputs.is_none();
@@ -236,7 +236,7 @@ pub fn reason(alarm: Alarm) -> Option<&'static str> {
 fn entered(phase: Phase, commanded: bool, lost: Option<&str>) -> (Severity, String) {
     let because = lost.map_or(String::new(), |name| format!(": {name} lost"));
     match phase {
-        Phase::Ready => (Severity::Info, "ready".into()),
+        Phase::Ready => (Severity::Info, "armed".into()),
         Phase::TakeOff => (Severity::Info, "take-off".into()),
         Phase::Flight => (Severity::Info, "flight".into()),
         Phase::Landing if commanded => (Severity::Info, "landing, as commanded".into()),
@@ -244,7 +244,7 @@ fn entered(phase: Phase, commanded: bool, lost: Option<&str>) -> (Severity, Stri
             (Severity::Warning, "failsafe landing: uplink lost".into())
         }
         Phase::Landing => (Severity::Warning, format!("failsafe landing{because}")),
-        Phase::Over => (Severity::Info, "flight over, motors off".into()),
+        Phase::Over => (Severity::Info, "disarmed, motors off".into()),
         Phase::Hold => (Severity::Warning, "failsafe hold: uplink lost".into()),
     }
 }
@@ -280,7 +280,9 @@ mod tests {
 
     /// State of a flight without trouble.
     fn calm(time: f64) -> Sight {
-        let outputs = Some(Outputs::default());
+        let mut outputs = Outputs::default();
+        outputs.reference.phase = Phase::Over;
+        let outputs = Some(outputs);
         Sight { time, outputs, impact: 0.0, restarts: 0, ended: None, silence: Some(0.0) }
     }
 
@@ -308,7 +310,7 @@ mod tests {
             (|it| it.reference.phase = Phase::Flight, "flight"),
             (|it| it.reference.phase = Phase::Hold, "failsafe hold: uplink lost"),
             (|it| it.reference.phase = Phase::Landing, "failsafe landing: uplink lost"),
-            (|it| it.reference.phase = Phase::Over, "flight over, motors off"),
+            (|it| it.reference.phase = Phase::Ready, "armed"),
             (|it| it.alarm = Alarm::Tilt, "alarm: tilt beyond its limit; motors off"),
             (|it| it.ages.vicon = 0.6, "motion capture lost"),
             (|it| it.ages.inertial = 0.6, "gyroscope lost"),
@@ -318,6 +320,9 @@ mod tests {
             assert_eq!(texts(&mut watch, &with(1.0, change)), [text]);
             assert_eq!(texts(&mut watch, &with(1.1, change)), [""; 0], "{text}, again");
         }
+        let mut watch = Watch::default();
+        watch.look(&with(1.0, |it| it.reference.phase = Phase::Ready));
+        assert_eq!(texts(&mut watch, &calm(1.1)), ["disarmed, motors off"]);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! over without waiting; a recording has its own thread.
 
 use crate::bench::{Period, Timing};
-use crate::catalogue::{PAGE_SIGNALS, SIGNALS, UNUSED, parameters};
+use crate::catalogue::{self, PAGE_SIGNALS, SIGNALS, UNUSED, parameters};
 use crate::command::Seat;
 use crate::events::{self, Event, Severity, Sight, Watch};
 use crate::messages::{Ask, Point, Recording, State, Tell};
@@ -16,7 +16,7 @@ use crate::testbed::{Error, Testbed, period};
 use crate::tools::Tool;
 use models::receiver::Sticks;
 use models::trajectory::SetPoint;
-use models::{Alarm, Phase, Settings};
+use models::{Alarm, Settings};
 use nalgebra::{Vector2, Vector3};
 use sim::ground_station::{News, Order, Record};
 use std::path::PathBuf;
@@ -25,9 +25,6 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 
 /// Capacity of the queue of requests: half a second of moving sticks.
 const QUEUE_LENGTH: usize = 64;
-
-/// Number of the signal with the alarm.
-const ALARM: u8 = 35;
 
 /// Number of periods between two messages with the testbed's state.
 const STATE_EVERY: u64 = 50;
@@ -67,16 +64,10 @@ pub fn hello(authenticated: bool) -> Tell {
     Tell::Hello {
         signals: SIGNALS,
         parameters: parameters(),
-        phases: [
-            Phase::Ready,
-            Phase::TakeOff,
-            Phase::Flight,
-            Phase::Landing,
-            Phase::Over,
-            Phase::Hold,
-        ]
-        .map(|it| spaced(&format!("{it:?}")))
-        .into(),
+        // By number; an aircraft that is ready is armed, and after a flight it is not.
+        phases: ["armed", "take off", "flight", "landing", "disarmed", "hold"]
+            .map(String::from)
+            .into(),
         alarms: [
             Alarm::Clear,
             Alarm::Commanded,
@@ -165,9 +156,10 @@ impl Live {
         while let Ok(ask) = self.asked.try_recv() {
             self.obey(ask);
         }
-        let testbed = &self.testbed;
+        let (testbed, situation) = (&self.testbed, self.situation());
         let tools = self.tools.iter_mut();
-        let asked: Vec<Ask> = tools.flat_map(|(tool, seat)| tool.listen(testbed, seat)).collect();
+        let asked: Vec<Ask> =
+            tools.flat_map(|(tool, seat)| tool.listen(testbed, &situation, seat)).collect();
         asked.into_iter().for_each(|ask| self.obey(ask));
         let (done, news) = self.testbed.step()?;
         for record in news.iter().filter_map(|it| match it {
@@ -214,11 +206,14 @@ impl Live {
         let station = &self.testbed.station;
         Situation {
             phase: station.phase(),
-            clear: station.signal(ALARM) == f32::from(Alarm::Clear as u8),
+            clear: station.signal(catalogue::ALARM) == f32::from(Alarm::Clear as u8),
             arming: station.is_arming(),
             planned: self.planned,
             silence: station.silence(self.testbed.now()),
             motors: self.testbed.bench.motors(),
+            height: station.received(catalogue::PLACE).map(|[_, _, height]| height),
+            speed: station.received(catalogue::VELOCITY).map(|it| Vector3::from(it).norm()),
+            ages: station.received(catalogue::AGES),
         }
     }
 
@@ -267,6 +262,7 @@ impl Live {
     }
 
     fn state(&mut self) -> State {
+        let situation = self.situation();
         let testbed = &self.testbed;
         let now = testbed.now();
         let (up, down) = testbed.counts();
@@ -283,6 +279,7 @@ impl Live {
             counts: station.status.as_ref().map(|status| status.counts),
             mode: station.status.as_ref().map(|status| status.mode),
             planned: self.planned,
+            checks: refusal::checks(&situation).into(),
             parameters: station.parameters.to_vec(),
             pages: self.hub.pages(),
             commanded: self.hub.is_commanded(),
@@ -317,6 +314,7 @@ impl Live {
             Ask::Claim { .. } | Ask::Release | Ask::Ping { .. } => {}
             Ask::Stop => station.order(now, Order::Stop),
             Ask::Arm => station.order(now, Order::Arm),
+            Ask::Disarm => station.order(now, Order::Disarm),
             Ask::TakeOff => station.order(now, Order::TakeOff),
             Ask::Land => station.order(now, Order::Land),
             Ask::Mode { mode } => station.order(now, Order::Mode(mode.into())),

@@ -6,6 +6,7 @@ use crate::bench::{Injection, Timing};
 use crate::catalogue::{Parameter, Signal};
 use crate::events::Event;
 use crate::radio::Counts;
+use crate::refusal::Check;
 use crate::station::{Down, Outcome};
 use models::receiver::Mode;
 use serde::{Deserialize, Serialize};
@@ -70,6 +71,8 @@ pub enum Ask {
     Stop,
     /// Arms the motors.
     Arm,
+    /// Disarms the motors of an aircraft on the ground.
+    Disarm,
     /// Takes off.
     TakeOff,
     /// Lands.
@@ -253,6 +256,8 @@ pub struct State {
     pub mode: Option<u8>,
     /// True if a trajectory was sent that no flight has followed yet.
     pub planned: bool,
+    /// Checks before arming.
+    pub checks: Vec<Check>,
     /// Values of the parameters; `None` for those not received yet.
     pub parameters: Vec<Option<f64>>,
     /// Number of connected pages.

@@ -5,6 +5,7 @@
 //!
 //! Invariants:
 //! - a request that the software on board would drop is refused here, with what is wrong and what to do;
+//! - the software on board arms whenever the aircraft is at rest; the checks here ask for more;
 //! - STOP, landing, and giving back the right to command are never refused.
 //!
 //! It must not know who sent a request.
@@ -13,6 +14,7 @@ use crate::catalogue::{self, SIGNALS, UNUSED};
 use crate::messages::{Ask, Point};
 use models::trajectory::{MAX_POINTS, Space};
 use models::{Phase, Settings};
+use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// Largest number of signals in a selection.
@@ -20,6 +22,13 @@ const MOST_SIGNALS: usize = 36;
 
 /// Silence of the downlink after which no flight begins, s.
 const SILENT: f64 = 1.0;
+
+/// Height, m, and speed, m/s, above which the software on board does not arm.
+const LOW: f64 = 0.1;
+const SLOW: f64 = 0.1;
+
+/// Age of a measurement above which the aircraft is not armed, s.
+const OLD: f64 = 0.5;
 
 /// State of the flight on which refusals depend.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +45,23 @@ pub struct Situation {
     pub silence: Option<f64>,
     /// Number of motors.
     pub motors: usize,
+    /// Height, m; none if it is not received.
+    pub height: Option<f64>,
+    /// Speed, m/s; none if it is not received.
+    pub speed: Option<f64>,
+    /// Ages of the measurements of Vicon and the height, s; none if they are not received.
+    pub ages: Option<[f64; 2]>,
+}
+
+/// A check before arming.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Check {
+    /// Condition that is checked.
+    pub name: &'static str,
+    /// True if the telemetry includes what is checked.
+    pub known: bool,
+    /// Reason why the aircraft cannot be armed; none if the check passes, or is not known.
+    pub problem: Option<&'static str>,
 }
 
 impl Situation {
@@ -46,11 +72,63 @@ impl Situation {
     }
 }
 
+impl Situation {
+    /// Returns the state for a request that follows this one.
+    pub fn after(&self, ask: &Ask) -> Self {
+        let mut next = *self;
+        match ask {
+            Ask::Fly { .. } => next.planned = true,
+            Ask::Arm => next.arming = true,
+            Ask::Disarm | Ask::Stop => next.arming = false,
+            _ => {}
+        }
+        next
+    }
+}
+
+/// Returns the checks before arming, in the order in which they are worth mending.
+pub fn checks(now: &Situation) -> [Check; 5] {
+    let linked = now.silence.is_some_and(|silence| silence <= SILENT);
+    let [vicon, height] = match now.ages {
+        Some(ages) => ages.map(|age| Some(age <= OLD)),
+        None => [None; 2],
+    };
+    let rest = now.height.zip(now.speed).map(|(height, speed)| height < LOW && speed < SLOW);
+    let rows = [
+        ("telemetry", Some(linked), "no telemetry from the aircraft"),
+        ("on the ground", Some(!now.is_flying()), "the aircraft is flying"),
+        ("motion capture", vicon, "motion capture does not see the aircraft"),
+        ("height sensor", height, "no measurement of the height"),
+        ("at rest", rest, "the aircraft is not at rest on the ground"),
+    ];
+    rows.map(|(name, passed, problem)| {
+        // Without telemetry, the other values are old.
+        let passed = passed.filter(|_| linked || name == "telemetry");
+        Check { name, known: passed.is_some(), problem: (passed == Some(false)).then_some(problem) }
+    })
+}
+
+/// Returns the first of some requests that is refused in their order, if there is one.
+pub fn first_refused(asks: &[Ask], now: &Situation) -> Option<usize> {
+    let mut now = *now;
+    asks.iter().position(|ask| {
+        let refused = reason(ask, &now).is_some();
+        now = now.after(ask);
+        refused
+    })
+}
+
 /// Returns the reason to refuse a request; none if it may go to the aircraft.
 pub fn reason(ask: &Ask, now: &Situation) -> Option<String> {
     match ask {
         Ask::TakeOff => take_off(now).map(|why| format!("take-off refused: {why}")),
-        Ask::Arm if now.is_flying() => Some("arming refused: the aircraft is flying".into()),
+        Ask::Arm => {
+            let problem = checks(now).into_iter().find_map(|check| check.problem);
+            problem.map(|problem| format!("arming refused: {problem}"))
+        }
+        Ask::Disarm if now.is_flying() => {
+            Some("disarming refused: the aircraft is flying: land it, or press STOP".into())
+        }
         Ask::Fly { points } => trajectory(points, &Settings::mambo().space)
             .map(|why| format!("trajectory refused: {why}")),
         Ask::Set { number, value } => parameter(*number, *value, now.is_flying()),
@@ -81,7 +159,7 @@ fn take_off(now: &Situation) -> Option<&'static str> {
         return Some("the aircraft is flying");
     }
     if !now.arming && (now.phase == Phase::Over as u8 || !now.clear) {
-        return Some("the last flight is over: arm first");
+        return Some("the aircraft is disarmed: arm it first");
     }
     (!now.planned).then_some("no trajectory since the last flight: send one first")
 }
@@ -167,6 +245,9 @@ mod tests {
         planned: true,
         silence: Some(0.0),
         motors: 4,
+        height: Some(0.0),
+        speed: Some(0.0),
+        ages: Some([0.01, 0.0]),
     };
 
     const POINT: Point = Point { time: 0.0, x: 0.0, y: 0.0, z: 1.0, yaw: 0.0 };
@@ -184,8 +265,8 @@ mod tests {
             (Situation { silence: None, ..READY }, "no telemetry"),
             (Situation { silence: Some(3.0), ..READY }, "no telemetry"),
             (Situation { phase: Phase::Hold as u8, ..READY }, "is flying"),
-            (over, "arm first"),
-            (Situation { clear: false, ..READY }, "arm first"),
+            (over, "arm it first"),
+            (Situation { clear: false, ..READY }, "arm it first"),
             (Situation { planned: false, ..READY }, "send one first"),
         ];
         for (now, words) in rows {
@@ -255,5 +336,40 @@ mod tests {
             Some("arming refused: the aircraft is flying")
         );
         assert_eq!(reason(&fly(&[POINT]), &flying), None);
+        assert_eq!(reason(&Ask::Disarm, &READY), None);
+        let why = reason(&Ask::Disarm, &flying).unwrap_or_default();
+        assert!(why.contains("land it, or press STOP"), "{why}");
+    }
+
+    #[test]
+    fn arming_needs_every_check_that_is_known() {
+        let rows = [
+            (Situation { silence: None, ..READY }, "no telemetry"),
+            (Situation { phase: Phase::Flight as u8, ..READY }, "is flying"),
+            (Situation { ages: Some([2.0, 0.0]), ..READY }, "motion capture"),
+            (Situation { ages: Some([0.0, 2.0]), ..READY }, "of the height"),
+            (Situation { height: Some(0.3), ..READY }, "not at rest"),
+            (Situation { speed: Some(0.3), ..READY }, "not at rest"),
+            (Situation { speed: Some(f64::NAN), ..READY }, "not at rest"),
+        ];
+        for (now, words) in rows {
+            let why = reason(&Ask::Arm, &now).unwrap_or_default();
+            assert!(why.starts_with("arming refused: ") && why.contains(words), "{words}: {why}");
+            let failed = checks(&now).into_iter().filter(|it| it.problem.is_some());
+            assert_eq!(failed.count(), 1, "{words}");
+        }
+        let blind = Situation { height: None, ages: None, ..READY };
+        assert_eq!(reason(&Ask::Arm, &blind), None);
+        assert_eq!(checks(&blind).iter().filter(|it| !it.known).count(), 3);
+    }
+
+    #[test]
+    fn requests_are_judged_in_their_order() {
+        let over = Situation { phase: Phase::Over as u8, planned: false, ..READY };
+        let up = fly(&[POINT]);
+        assert_eq!(first_refused(&[Ask::Arm, up.clone(), Ask::TakeOff], &over), None);
+        assert_eq!(first_refused(&[up.clone(), Ask::Arm, Ask::TakeOff], &over), None);
+        assert_eq!(first_refused(&[up, Ask::TakeOff], &over), Some(1));
+        assert_eq!(first_refused(&[Ask::Arm, Ask::TakeOff], &over), Some(1));
     }
 }

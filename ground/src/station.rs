@@ -6,7 +6,7 @@
 //!
 //! The station knows the time only from its callers.
 
-use crate::catalogue::PAGE_SIGNALS;
+use crate::catalogue::{self, PAGE_SIGNALS};
 use crate::key::Key;
 use models::packet::Packet;
 use models::tuning::PARAMETER_COUNT;
@@ -105,7 +105,7 @@ impl Station {
             heard_at: None,
             // What the onboard software begins with.
             signals: vec![(0, std::array::from_fn(|n| n as u8))],
-            values: [0.0; 64],
+            values: disarmed(),
             record: None,
             status: None,
             parameters: [None; PARAMETER_COUNT],
@@ -144,6 +144,12 @@ impl Station {
         self.values.get(usize::from(number)).copied().unwrap_or(f32::NAN)
     }
 
+    /// Returns the last values of signals, if all of them are received.
+    pub fn received<const N: usize>(&self, signals: [u8; N]) -> Option<[f64; N]> {
+        let known = signals.iter().all(|it| self.chosen().contains(it));
+        known.then(|| signals.map(|it| f64::from(self.signal(it))))
+    }
+
     /// Returns the numbers of the received signals, in order.
     pub fn chosen(&self) -> &[u8; 36] {
         let tag = self.record.as_ref().map_or(0, |record| record.tag);
@@ -157,7 +163,7 @@ impl Station {
 
     /// Returns the phase of the flight, as far as it is known.
     pub fn phase(&self) -> u8 {
-        self.signal(16) as u8
+        self.signal(catalogue::PHASE) as u8
     }
 
     /// Returns true if the command to arm is not confirmed yet.
@@ -192,7 +198,7 @@ impl Station {
             // Nobody repeats where a stick was.
             Order::Sticks(_) | Order::Raw(_) | Order::Beat => return self.send(&order),
             // What was wanted before is not wanted any more.
-            Order::Stop | Order::Arm => {
+            Order::Stop | Order::Arm | Order::Disarm => {
                 self.pending.retain(|it| !is_course(&it.order));
                 self.outbox.clear();
             }
@@ -311,8 +317,11 @@ impl Station {
             (Order::Land, News::Record(_)) => {
                 [Phase::Landing, Phase::Over, Phase::Ready].map(|it| it as u8).contains(&phase)
             }
-            (Order::Stop, News::Record(_)) => self.signal(35) != Alarm::Clear as u8 as f32,
+            (Order::Stop, News::Record(_)) => {
+                self.signal(catalogue::ALARM) != Alarm::Clear as u8 as f32
+            }
             (Order::Arm, News::Record(_)) => phase == Phase::Ready as u8,
+            (Order::Disarm, News::Record(_)) => phase == Phase::Over as u8,
             _ => false,
         }
     }
@@ -355,9 +364,16 @@ impl Station {
     }
 }
 
+/// Returns the signals that are assumed before the first record: a disarmed aircraft.
+fn disarmed() -> [f32; 64] {
+    let mut values = [0.0; 64];
+    values[usize::from(catalogue::PHASE)] = f32::from(Phase::Over as u8);
+    values
+}
+
 /// Returns true if a command changes the course of the flight.
 fn is_course(order: &Order) -> bool {
-    matches!(order, Order::TakeOff | Order::Land | Order::Arm | Order::Stop)
+    matches!(order, Order::TakeOff | Order::Land | Order::Arm | Order::Disarm | Order::Stop)
 }
 
 /// Returns true if a command stays valid until it arrives. A take-off that arrives after minutes does not.
@@ -386,6 +402,7 @@ fn name(order: &Order) -> String {
         Order::Stop => "stop".into(),
         Order::Beat => "beat".into(),
         Order::Arm => "arm".into(),
+        Order::Disarm => "disarm".into(),
         Order::Ask(number) => format!("parameter {number}"),
         Order::Set(number, _) => format!("set parameter {number}"),
         Order::Choose(..) => "signals".into(),

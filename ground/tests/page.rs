@@ -94,10 +94,17 @@ fn the_page_flies_the_aircraft() {
     browser.prefer("light");
     browser.go(&running.address);
     browser.until("document.body.dataset.commands === 'true'");
-    browser.until("document.body.dataset.phase === 'ready'");
+    browser.until("document.body.dataset.phase === 'disarmed'");
 
-    // By keys alone: arm, take off.
+    // By keys alone: arm, disarm, arm, take off.
+    browser.until("document.querySelectorAll('#checks .good').length === 5");
     browser.press("m");
+    browser.until("document.body.dataset.phase === 'armed'");
+    browser.press("n");
+    browser.until("document.body.dataset.phase === 'disarmed'");
+    browser.until("document.querySelectorAll('#checks .good').length === 5");
+    browser.press("m");
+    browser.until("document.body.dataset.phase === 'armed'");
     browser.click("#fly", (0.5, 0.5));
     browser.until("document.querySelector('#log').innerText.includes('trajectory: done')");
     browser.press("t");
@@ -123,11 +130,13 @@ fn the_page_flies_the_aircraft() {
     // The software dies: it falls, comes back, and can be flown again.
     browser.click("#kill", (0.5, 0.5));
     browser.until("document.querySelector('#counts').innerText.includes('software restarts\\n1') || document.querySelector('#counts').lastChild.innerText === '1'");
-    browser.until("document.body.dataset.phase === 'ready' && document.querySelector('#link').innerText.includes('%')");
+    browser.until("document.body.dataset.phase === 'disarmed' && document.querySelector('#link').innerText.includes('%')");
     browser.click("#back", (0.5, 0.5));
     // The software has seen at its place now.
     browser.until("Math.abs(Number(document.body.dataset.height)) < 0.05 && document.body.dataset.place.split(',').slice(0, 2).every((it) => Math.abs(Number(it)) < 0.2)");
+    browser.until("document.querySelectorAll('#checks .good').length === 5");
     browser.press("m");
+    browser.until("document.body.dataset.phase === 'armed'");
     browser.click("#fly", (0.5, 0.5));
     browser.until("document.querySelector('#log').innerText.includes('trajectory: done')");
     browser.press("t");
@@ -135,7 +144,7 @@ fn the_page_flies_the_aircraft() {
 
     browser.press("Escape");
     browser.until("document.body.dataset.alarm === 'commanded'");
-    browser.until("document.body.dataset.phase === 'over'");
+    browser.until("document.body.dataset.phase === 'disarmed'");
 
     assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");
 }
@@ -153,7 +162,7 @@ fn the_page_is_used_by_keys_alone() {
     let mut browser = Browser::start();
     browser.go(&running.address);
     browser.until("document.body.dataset.commands === 'true'");
-    browser.until("document.body.dataset.phase === 'ready'");
+    browser.until("document.body.dataset.phase === 'disarmed'");
 
     // The tabulator comes to everything.
     for part in ["#tuning", "#logging"] {
@@ -191,13 +200,14 @@ fn the_page_is_used_by_keys_alone() {
     // Into the air, and to a point of the plan: eleven steps of 10 cm along x.
     assert!(browser.tab_to("[data-order=take_off]"));
     browser.press("Enter");
-    let refused = "no trajectory since the last flight: send one first";
+    let refused = "the aircraft is disarmed: arm it first";
     browser.until(&format!("(document.body.dataset.event ?? '').includes('{refused}')"));
     assert!(browser.tab_to("#fly"));
     browser.press("Enter");
     browser.until("document.querySelector('#log').innerText.includes('trajectory: done')");
     assert!(browser.tab_to("[data-order=arm]"));
     browser.press("Enter");
+    browser.until("document.body.dataset.phase === 'armed'");
     assert!(browser.tab_to("[data-order=take_off]"));
     browser.press(" ");
     browser.until("Number(document.body.dataset.height) > 0.9");
@@ -271,8 +281,11 @@ fn the_page_is_smooth() {
     let mut browser = Browser::start();
     browser.go(&running.address);
     browser.until("document.body.dataset.commands === 'true'");
-    browser.until("document.body.dataset.phase === 'ready'");
+    browser.until("document.body.dataset.phase === 'disarmed'");
+    browser.until("document.querySelectorAll('#checks .good').length === 5");
     browser.press("m");
+    browser.until("document.body.dataset.phase === 'armed'");
+    browser.click("#fly", (0.5, 0.5));
     browser.until("document.querySelector('#log').innerText.includes('trajectory: done')");
     browser.press("t");
     browser.until("Number(document.body.dataset.height) > 0.9");
@@ -351,7 +364,7 @@ fn the_page_shows_a_recording() {
     browser.until("document.querySelector('#play').innerText === 'Play'");
     browser.see("const at = document.querySelector('#at'); at.value = 1.5; at.dispatchEvent(new Event('input'))");
     browser.until("document.body.dataset.playing === '1.50'");
-    browser.until("document.body.dataset.phase === 'ready'");
+    browser.until("document.body.dataset.phase === 'disarmed'");
     browser.click("#play", (0.5, 0.5));
     browser.until("Number(document.body.dataset.playing) > 1.9");
     assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");

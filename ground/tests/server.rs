@@ -156,6 +156,15 @@ impl Served {
     }
 }
 
+/// Arms the aircraft from a page, and waits until it is armed.
+fn arm(served: &mut Served, page: &mut Page) {
+    let now = served.live.testbed.now();
+    served.until("telemetry", |testbed| testbed.now() > now + 1.0);
+    page.ask(&json!({ "type": "arm" }));
+    page.settle();
+    served.until("armed", |testbed| testbed.station.phase() == models::Phase::Ready as u8);
+}
+
 fn height(testbed: &Testbed) -> f64 {
     testbed.bench.state().position.z
 }
@@ -169,9 +178,7 @@ fn a_page_takes_off_moves_lands_and_stops() {
     assert!(page.claim(served.hub.token(), false));
     let there = |x: f64| json!({ "type": "fly", "points": [{ "time": 0, "x": x, "y": 0, "z": 1, "yaw": 0 }] });
     page.ask(&there(0.0));
-    page.ask(&json!({ "type": "arm" }));
-    page.settle();
-    served.until("ready", |testbed| testbed.now() > 1.5);
+    arm(&mut served, &mut page);
     page.ask(&json!({ "type": "take_off" }));
     page.settle();
     served.until("in the air", |testbed| height(testbed) > 0.9);
@@ -314,7 +321,7 @@ fn a_thousand_connections_keep_nobody_from_flying() {
     assert!(said.any(|line| line.is_ok_and(|line| line == "crowded")));
     let (hub, served_at) = (served.hub.clone(), served.address);
     served.until("crowded", |_| hub.pages() > 200);
-    served.until("telemetry", |testbed| testbed.now() > 1.5);
+    arm(&mut served, &mut page);
 
     let points = json!([{ "time": 0, "x": 0, "y": 0, "z": 1, "yaw": 0 }]);
     page.ask(&json!({ "type": "fly", "points": points }));
@@ -426,9 +433,7 @@ fn what_happens_to_the_aircraft_is_an_event_for_pages_and_recordings() {
     page.ask(
         &json!({ "type": "fly", "points": [{ "time": 0, "x": 0, "y": 0, "z": 1, "yaw": 0 }] }),
     );
-    page.ask(&json!({ "type": "arm" }));
-    page.settle();
-    served.until("ready", |testbed| testbed.now() > 1.5);
+    arm(&mut served, &mut page);
     page.ask(&json!({ "type": "take_off" }));
     page.settle();
     served.until("in the air", |testbed| height(testbed) > 0.9);
@@ -447,6 +452,7 @@ fn what_happens_to_the_aircraft_is_an_event_for_pages_and_recordings() {
     served.live.save();
 
     let expected = [
+        "armed",
         "take-off",
         "flight",
         "fault injection: motion capture lost",
@@ -492,16 +498,18 @@ fn what_is_refused_is_reported_at_once_with_its_reason() {
     page.settle();
     served.live.step().unwrap_or_else(|error| panic!("{error}"));
     // A flight, after which its trajectory is not flown again.
+    arm(&mut served, &mut page);
     page.ask(&point(0.0));
     page.ask(&json!({ "type": "take_off" }));
     page.settle();
     served.until("in the air", |testbed| height(testbed) > 0.9);
     page.ask(&json!({ "type": "arm" }));
+    page.ask(&json!({ "type": "disarm" }));
     page.ask(&json!({ "type": "land" }));
     page.settle();
     served.until("over", |testbed| testbed.station.phase() == models::Phase::Over as u8);
     page.ask(&json!({ "type": "take_off" }));
-    page.ask(&json!({ "type": "arm" }));
+    arm(&mut served, &mut page);
     page.ask(&json!({ "type": "take_off" }));
     page.settle();
     served.live.step().unwrap_or_else(|error| panic!("{error}"));
@@ -513,11 +521,12 @@ fn what_is_refused_is_reported_at_once_with_its_reason() {
         .filter_map(|event| event.split_once(" refused: ").map(|(_, reason)| reason))
         .collect();
     let expected = [
-        "no trajectory since the last flight: send one first",
+        "the aircraft is disarmed: arm it first",
         "x of point 1 is 99 m; allowed are -3 to 3 m",
         "99 N/m; allowed are 0.5 to 3 N/m",
         "the aircraft is flying",
-        "the last flight is over: arm first",
+        "the aircraft is flying: land it, or press STOP",
+        "the aircraft is disarmed: arm it first",
         "no trajectory since the last flight: send one first",
     ];
     assert_eq!(refused, expected);

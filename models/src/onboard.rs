@@ -152,6 +152,9 @@ impl Onboard {
         if self.receiver.orders.arm {
             self.arm(&estimate);
         }
+        if self.receiver.orders.disarm && !self.reference.is_flying() {
+            self.reference.end();
+        }
         let orientation = Orientation::of(&estimate.angles);
         let alarm = self.watch(settings, inputs.time, &estimate, &orientation);
         if alarm != Alarm::Clear {

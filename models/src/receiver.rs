@@ -51,6 +51,9 @@ pub const SET: u8 = 13;
 /// Selects the logged signals: tag and period of the selection, then each signal, one byte each.
 #[data]
 pub const CHOOSE: u8 = 14;
+/// Disarms: no take-off until the next arming; ignored in flight.
+#[data]
+pub const DISARM: u8 = 15;
 
 /// Payload of a mode packet, bytes.
 #[data]
@@ -154,6 +157,8 @@ pub struct Orders {
     pub stop: bool,
     /// True in the period in which preparation of another flight is commanded.
     pub arm: bool,
+    /// True in the period in which disarming is commanded.
+    pub disarm: bool,
     /// True if the link is open.
     pub link: bool,
     /// True if the ground station has announced heartbeats.
@@ -179,6 +184,7 @@ impl Default for Orders {
             land: false,
             stop: false,
             arm: false,
+            disarm: false,
             link: false,
             watched: false,
             silence: NEVER,
@@ -238,6 +244,7 @@ impl Receiver {
         self.orders.sticks_age += period;
         self.orders.silence += period;
         self.orders.arm = false;
+        self.orders.disarm = false;
         self.wish.request = Request::Nothing;
         if packet.length == 0 {
             return;
@@ -332,6 +339,8 @@ impl Receiver {
             self.orders.watched = true;
         } else if kind == ARM {
             self.orders.arm = true;
+        } else if kind == DISARM {
+            self.orders.disarm = true;
         } else {
             return false;
         }

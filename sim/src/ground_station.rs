@@ -5,8 +5,8 @@
 
 use models::packet::Packet;
 use models::receiver::{
-    ARM, ASK, CHOOSE, COMMIT, GOODBYE, HEARTBEAT, HELLO, LAND, MODE, Mode, POINT, SET, STICKS,
-    STOP, Sticks, TAKE_OFF,
+    ARM, ASK, CHOOSE, COMMIT, DISARM, GOODBYE, HEARTBEAT, HELLO, LAND, MODE, Mode, POINT, SET,
+    STICKS, STOP, Sticks, TAKE_OFF,
 };
 use models::sender::{PARAMETER, RECORD, STATUS};
 use models::trajectory::SetPoint;
@@ -37,6 +37,8 @@ pub enum Order {
     Beat,
     /// Arms the aircraft for another flight.
     Arm,
+    /// Disarms the aircraft on the ground.
+    Disarm,
     /// Requests a parameter by its number.
     Ask(u8),
     /// Sets a parameter.
@@ -71,6 +73,7 @@ impl Framer {
             }
             Order::Beat => vec![self.packet(HEARTBEAT, &[])],
             Order::Arm => vec![self.packet(ARM, &[])],
+            Order::Disarm => vec![self.packet(DISARM, &[])],
             Order::Ask(number) => vec![self.packet(ASK, &[*number])],
             Order::Set(number, value) => {
                 let payload = [vec![*number], numbers(&[*value])].concat();

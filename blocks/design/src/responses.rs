@@ -75,7 +75,7 @@ fn turned(cycles: f64) -> Complex<f64> {
 /// Plots the step response over `duration` s, and the gain in dB up to half of the sample rate, as one SVG.
 ///
 /// # Errors
-/// What the plotter reports, for a system whose responses are not finite.
+/// An error of the plotter if a response of the system is not finite.
 pub fn plot(
     system: &(impl Discrete + ?Sized),
     period: f64,

@@ -282,7 +282,7 @@ impl Run<'_> {
     ) -> Result<()> {
         let mut leaves = Leaves::default();
         blocks.iter().for_each(|block| leaves.block(block));
-        // Where all sides meet again.
+        // The statements behind the branch, where its sides meet again.
         let meeting: Rest<'_> = if leaves.returns {
             None
         } else if leaves.breaks {

@@ -251,7 +251,7 @@ impl Run<'_> {
         let square = |it: &Expr| mul(it.clone(), it.clone());
         let one = float(1.0, &value.ty, value.span);
         match base {
-            // Of the point (b, a).
+            // The angle of the point (b, a).
             "atan2" => {
                 let radius = self.atom(add(square(&b), square(&a)), "radius");
                 let first = self.along(div(b, radius.clone()), x.tangents.clone());

@@ -12,14 +12,15 @@ use crate::bench::Period;
 use crate::command::Seat;
 use crate::events::Event;
 use crate::messages::Ask;
+use crate::refusal::Situation;
 use crate::testbed::Testbed;
 use sim::ground_station::News;
 
 /// A tool at the testbed's side.
 pub trait Tool {
     /// Returns the requests since the last call. Those that need the right to command are made only by the client that
-    /// has it.
-    fn listen(&mut self, _testbed: &Testbed, _seat: &Seat) -> Vec<Ask> {
+    /// has it, and one that would be refused may be answered by the tool, too.
+    fn listen(&mut self, _testbed: &Testbed, _now: &Situation, _seat: &Seat) -> Vec<Ask> {
         Vec::new()
     }
 

@@ -93,6 +93,50 @@ for name, value, kept in [("HEIGHT_P", 2.0, 2.0), ("HEIGHT_I", 9.0, parameters["
     answer = seen(f"{name} is answered", "PARAM_VALUE", lambda it: it.param_id == name)
     assert answer.param_value == kept, answer
 
+
+# Messages on request, and periods of messages.
+version = mavlink.MAVLINK_MSG_ID_AUTOPILOT_VERSION
+link.mav.command_long_send(*us, mavlink.MAV_CMD_REQUEST_MESSAGE, 0, version, 0, 0, 0, 0, 0, 0)
+able = seen("a version", "AUTOPILOT_VERSION").capabilities
+assert hear("COMMAND_ACK").result == mavlink.MAV_RESULT_ACCEPTED
+assert able & mavlink.MAV_PROTOCOL_CAPABILITY_MAVLINK2 and able & mavlink.MAV_PROTOCOL_CAPABILITY_MISSION_INT
+assert order(mavlink.MAV_CMD_REQUEST_MESSAGE, 9999) == mavlink.MAV_RESULT_UNSUPPORTED
+interval = mavlink.MAV_CMD_SET_MESSAGE_INTERVAL
+assert order(interval, mavlink.MAVLINK_MSG_ID_ATTITUDE, 200_000) == mavlink.MAV_RESULT_ACCEPTED
+assert order(interval, mavlink.MAVLINK_MSG_ID_ATTITUDE, -7) == mavlink.MAV_RESULT_DENIED
+assert order(interval, mavlink.MAVLINK_MSG_ID_HEARTBEAT, -1) == mavlink.MAV_RESULT_DENIED
+assert order(interval, 9999, 1000) == mavlink.MAV_RESULT_UNSUPPORTED
+first, second = hear("ATTITUDE").time_boot_ms, hear("ATTITUDE").time_boot_ms
+assert 190 <= second - first <= 210, (first, second)
+link.mav.command_long_send(
+    *us, mavlink.MAV_CMD_REQUEST_MESSAGE, 0, mavlink.MAVLINK_MSG_ID_MESSAGE_INTERVAL, mavlink.MAVLINK_MSG_ID_ATTITUDE, 0, 0, 0, 0, 0
+)
+assert seen("a period", "MESSAGE_INTERVAL").interval_us == 200_000
+assert hear("COMMAND_ACK").result == mavlink.MAV_RESULT_ACCEPTED
+assert order(interval, mavlink.MAVLINK_MSG_ID_ATTITUDE, 0) == mavlink.MAV_RESULT_ACCEPTED
+link.mav.set_gps_global_origin_send(us[0], 470000000, 110000000, 500000)
+seen("a home", "HOME_POSITION", lambda it: it.latitude == 470000000)
+# The command that supersedes the message; this pymavlink has no name for it.
+link.mav.command_int_send(*us, mavlink.MAV_FRAME_GLOBAL, 611, 0, 0, 0, 0, 0, 0, 480000000, 110000000, 500.0)
+home = seen("another home", "HOME_POSITION", lambda it: it.latitude == 480000000)
+assert (home.latitude, home.longitude, home.altitude) == (480000000, 110000000, 500000)
+placed = seen("a place on the earth", "GLOBAL_POSITION_INT", lambda it: it.lat != 0)
+assert abs(placed.lat - 480000000) < 100 and abs(placed.lon - 110000000) < 100 and abs(placed.alt - 500000) < 100
+state = seen("a state", "SYS_STATUS")
+ready = mavlink.MAV_SYS_STATUS_PREARM_CHECK
+assert state.onboard_control_sensors_present & ready and state.onboard_control_sensors_health & ready
+
+# Disarmed at the start, and again on request; the reason of a refusal follows as text.
+armed = lambda it: it.base_mode & mavlink.MAV_MODE_FLAG_SAFETY_ARMED
+assert not armed(seen("another heart beat", "HEARTBEAT"))
+assert order(mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 1.0) == mavlink.MAV_RESULT_DENIED
+seen("a reason", "STATUSTEXT", lambda it: "is disarmed" in it.text)
+assert order(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1.0) == mavlink.MAV_RESULT_ACCEPTED
+seen("armed", "HEARTBEAT", armed)
+assert order(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0.0) == mavlink.MAV_RESULT_ACCEPTED
+heart = seen("disarmed", "HEARTBEAT", lambda it: not armed(it))
+assert heart.system_status == mavlink.MAV_STATE_STANDBY
+
 assert order(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1.0) == mavlink.MAV_RESULT_ACCEPTED
 assert order(mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 1.0) == mavlink.MAV_RESULT_ACCEPTED
 seen("it takes off", "EXTENDED_SYS_STATE", on(mavlink.MAV_LANDED_STATE_TAKEOFF))

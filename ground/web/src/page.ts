@@ -121,6 +121,9 @@ function state(tell: State): void {
   mode = tell.mode == null ? "" : MODES[tell.mode] ?? "";
   get("mode").textContent = mode || "–";
   get("planned").textContent = flies() ? "is flown" : tell.planned ? "is on board: flown after the take-off" : "not sent since the last flight";
+  get("checks").replaceChildren(...tell.checks.map(({ name, known, problem }) =>
+    make("li", `${name}: ${problem ?? (known ? "passed" : "not received")}`, { class: problem ? "bad" : known ? "good" : "poor" })));
+  get("checks").hidden = flies();
   tell.parameters.forEach((value, number) => {
     const input = document.getElementById(`parameter-${number}`) as HTMLInputElement | HTMLSelectElement | null;
     if (input && value != null && document.activeElement !== input) input.value = `${Number(value.toPrecision(6))}`;
@@ -159,7 +162,7 @@ function playing(tell: Playing): void {
 }
 
 /** Whether the aircraft is in a phase with motors on. */
-const flies = (): boolean => !["ready", "over"].includes(hello?.phases[history.now[PHASE] ?? 0] ?? "ready");
+const flies = (): boolean => !["armed", "disarmed"].includes(hello?.phases[history.now[PHASE] ?? 0] ?? "disarmed");
 
 function link(tell: State | undefined): void {
   const element = get("link");
@@ -351,7 +354,7 @@ addEventListener("keydown", (event) => {
   const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
   if (typing || event.repeat || event.ctrlKey || event.altKey || event.metaKey) return;
   const key = event.key.toLowerCase();
-  const orders: Record<string, string> = { m: "arm", t: "take_off", l: "land" };
+  const orders: Record<string, string> = { m: "arm", n: "disarm", t: "take_off", l: "land" };
   if (orders[key]) order(orders[key]);
   const buttons = document.querySelectorAll<HTMLElement>("[data-mode]");
   if (/^[1-5]$/.test(key)) choose(buttons[Number(key) - 1]!);

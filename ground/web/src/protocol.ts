@@ -7,12 +7,14 @@ export interface Hello {
   type: "hello"; signals: Signal[]; parameters: Parameter[]; phases: string[]; alarms: string[];
   authenticated: boolean; space: [number, number, number]; period: number;
 }
+/** A check before arming: passed, failed for a reason, or not known from the signals that are received. */
+export interface Check { name: string; known: boolean; problem: string | null }
 export interface Frame { type: "frame"; period: number; signals: number[]; values: (number | null)[]; truth: number[] }
 export interface State {
   type: "state"; time: number; alive: boolean; restarts: number; silence: number | null;
   timing: { periods: number; missed: number; slowest: number };
   up: Counts; down: Counts; heard: { heard: number; broken: number; missing: number };
-  counts: number[] | null; mode: number | null; planned: boolean; parameters: (number | null)[];
+  counts: number[] | null; mode: number | null; planned: boolean; checks: Check[]; parameters: (number | null)[];
   pages: number; commanded: boolean; skipped: number; refused: number;
   recording: { running: boolean; periods: number; error: string | null; ready: boolean };
 }

@@ -115,7 +115,7 @@ fn is_moved(file: &File, line: u32, rust: &str) -> bool {
     let Some(row) = file.rows.iter().rev().find(|row| row.c_line <= line) else { return false };
     let name = row.function.rsplit("::").next().unwrap_or_default();
     let is_type = name.starts_with(|c: char| c.is_ascii_uppercase());
-    // Of a method that an attribute made, or a routine, the line has another text.
+    // A method that an attribute made and a routine have a line without their name.
     let has_it = rust.lines().any(|it| it.contains(&format!("fn {name}")));
     let there = rust.lines().nth(row.rust_line.saturating_sub(1) as usize);
     has_it && !is_type && !there.is_some_and(|it| it.contains(name) || it.contains('#'))

@@ -447,7 +447,7 @@ impl<'f> Backwards<'f> {
             self.written[it.index()] > reads.begin && self.read[it.index()] > reads.begin
         });
         let seen = effects.writes.iter().any(|it| self.is_seen(*it));
-        // Of two indices beyond the end, either is the same fault.
+        // Two indices beyond the end give the same fault in either order.
         let faults = effects.ends || effects.misses;
         unchanged
             && untouched

@@ -150,7 +150,7 @@ impl Lowering<'_, '_> {
             *index = self.atom(words::INDEX, index.clone());
         }
         let lengths = match self.type_of(place.root, &place.steps) {
-            // What is referred to was looked at where that was chosen.
+            // The place of a reference was checked where the reference was chosen.
             _ if self.stands(place.root) => Vec::new(),
             Type::Array { len, .. } => vec![len],
             Type::Matrix { rows, cols, .. } => match last {

@@ -300,7 +300,7 @@ impl Lowering<'_, '_> {
         let mut place =
             value.map_or(Ok(None), |value| self.naming_as(naming, |inner| inner.place(value)))?;
         let exclusive = self.slot_is_exclusive(slot, site)?;
-        // What a shared reference chooses is not written as long as it lives: a copy of it has the same value.
+        // The place of a shared reference is not written while the reference lives, so a copy has the same value.
         let chosen = |value: &tree::Expr| {
             matches!(value.kind, tree::ExprKind::Apply(..)) || control_with_value(value)
         };

@@ -186,7 +186,7 @@ impl<'a> Lowering<'a, '_> {
         };
         let given = self.given_to(function, arguments)?;
         self.inside(function, given, site, |inner| {
-            // Those of the DSL are made where the iterator is.
+            // An assertion of the library runs where the iterator is made.
             let is_assert = |it: &&Stmt| matches!(it, Stmt::Expr(_)) && is_of_library(function);
             let stmts = before.iter().filter(|it| !is_assert(it)).cloned().collect();
             inner.stmts(&tree::Block { stmts, tail: None })?;

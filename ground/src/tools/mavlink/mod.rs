@@ -2,26 +2,32 @@
 //!
 //! It serves one ground station at one address and ignores datagrams of others. The station gets the right to command
 //! with its first command, if no other client has it, and loses it after silence; stopping the motors does not need
-//! the right. A command is acknowledged when it has been sent to the aircraft.
+//! the right. A command is acknowledged when it has been sent to the aircraft; one that the ground station refuses is
+//! denied, and the reason goes out as text.
 //!
 //! Frames: [`telemetry`]. Knows messages, but not their effects.
 
 mod mission;
 mod parameters;
 mod signature;
+mod streams;
 mod telemetry;
 
 pub use signature::Signature;
 
 use super::Tool;
 use crate::bench::Period;
+use crate::catalogue;
 use crate::command::Seat;
 use crate::events::{Event, Severity};
 use crate::messages::{Ask, Flown, Point};
-use crate::testbed::Testbed;
+use crate::refusal::{self, Situation};
+use crate::testbed::{self, Testbed};
 use ::mavlink::dialects::common::*;
 use ::mavlink::error::MessageReadError;
-use ::mavlink::{MAVLinkMessageRaw, MavHeader, MavlinkReader, MavlinkVersion, Message};
+use ::mavlink::{
+    MAVLinkMessageRaw, MavHeader, MavlinkReader, MavlinkVersion, Message, MessageData,
+};
 use mission::{Mission, Peer, Seen};
 use models::receiver::Mode;
 use models::tuning::PARAMETER_COUNT;
@@ -29,7 +35,9 @@ use parameters::{decimal, number_of, parameter};
 use sim::ground_station::News;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, UdpSocket};
-use telemetry::is_flying;
+use std::time::Duration;
+use streams::{Source, Streams, Unchanged};
+use telemetry::{Origin, is_flying};
 
 /// MAVLink numbers of the aircraft: its system and its component.
 const SYSTEM: u8 = 1;
@@ -44,9 +52,38 @@ const LOST: f64 = 3.0;
 /// Number of datagrams that are read in a period; more wait in the socket, and may be lost there.
 const MOST: usize = 16;
 
-/// Periods of heartbeat (with battery and mission) and of phase messages, in control periods.
-const HEARTBEAT_PERIODS: u64 = 200;
-const PHASE_PERIODS: u64 = 40;
+/// Numbers of the messages that are sent periodically or on request.
+mod id {
+    use ::mavlink::MessageData;
+    use ::mavlink::dialects::common::*;
+
+    pub const HEARTBEAT: u32 = HEARTBEAT_DATA::ID;
+    pub const SYS_STATUS: u32 = SYS_STATUS_DATA::ID;
+    pub const ATTITUDE: u32 = ATTITUDE_DATA::ID;
+    pub const LOCAL_POSITION: u32 = LOCAL_POSITION_NED_DATA::ID;
+    pub const GLOBAL_POSITION: u32 = GLOBAL_POSITION_INT_DATA::ID;
+    pub const MISSION_CURRENT: u32 = MISSION_CURRENT_DATA::ID;
+    pub const ORIGIN: u32 = GPS_GLOBAL_ORIGIN_DATA::ID;
+    pub const BATTERY: u32 = BATTERY_STATUS_DATA::ID;
+    pub const VERSION: u32 = AUTOPILOT_VERSION_DATA::ID;
+    pub const HOME: u32 = HOME_POSITION_DATA::ID;
+    pub const LANDED: u32 = EXTENDED_SYS_STATE_DATA::ID;
+}
+
+/// Messages with their sources and initial periods, in control periods.
+const STREAMS: [(u32, Source, Option<u64>); 11] = [
+    (id::HEARTBEAT, Source::State, Some(200)),
+    (id::SYS_STATUS, Source::State, Some(200)),
+    (id::BATTERY, Source::State, Some(200)),
+    (id::MISSION_CURRENT, Source::State, Some(200)),
+    (id::HOME, Source::State, Some(2000)),
+    (id::LANDED, Source::State, Some(40)),
+    (id::ATTITUDE, Source::Record, Some(4)),
+    (id::LOCAL_POSITION, Source::Record, Some(20)),
+    (id::GLOBAL_POSITION, Source::Record, Some(40)),
+    (id::ORIGIN, Source::Request, None),
+    (id::VERSION, Source::Request, None),
+];
 
 /// Setpoints at the sticks' limits: tilt, rad, yaw rate, rad/s, climb rate, m/s. The page has the same.
 const STICK_TILT: f64 = 0.12;
@@ -62,7 +99,8 @@ pub struct Mavlink {
     socket: UdpSocket,
     sequence: u8,
     heard: Option<f64>,
-    records: u32,
+    streams: Streams,
+    origin: Origin,
     wanted: Vec<MavMessage>,
     mission: Mission,
     signature: Signature,
@@ -92,7 +130,8 @@ impl Mavlink {
             socket,
             sequence: 0,
             heard: None,
-            records: 0,
+            streams: Streams::new(&STREAMS, Duration::from_secs_f64(testbed::period())),
+            origin: Origin::default(),
             wanted: Vec::new(),
             mission: Mission::default(),
             signature,
@@ -116,19 +155,30 @@ impl Mavlink {
     fn take(
         &mut self,
         testbed: &Testbed,
+        now: &Situation,
         seat: &Seat,
         from: Peer,
         message: &MavMessage,
     ) -> Vec<Ask> {
         match message {
-            MavMessage::COMMAND_LONG(it) => {
-                let verdict = self.command(testbed, seat, it);
-                let result = verdict.as_ref().err().copied();
-                let result = result.unwrap_or(MavResult::MAV_RESULT_ACCEPTED);
-                let ack =
-                    COMMAND_ACK_DATA { command: it.command, result, ..COMMAND_ACK_DATA::DEFAULT };
-                self.send(&MavMessage::COMMAND_ACK(ack));
-                verdict.unwrap_or_default()
+            MavMessage::COMMAND_LONG(it) => self.execute(testbed, now, seat, it),
+            MavMessage::COMMAND_INT(it) if it.command == MavCmd::MAV_CMD_DO_SET_GLOBAL_ORIGIN => {
+                let altitude = (1000.0 * it.z) as i32;
+                let origin = Origin { latitude: it.x, longitude: it.y, altitude };
+                let result = match self.place(seat, origin) {
+                    true => MavResult::MAV_RESULT_ACCEPTED,
+                    false => MavResult::MAV_RESULT_TEMPORARILY_REJECTED,
+                };
+                self.acknowledge(it.command, result);
+                Vec::new()
+            }
+            MavMessage::COMMAND_INT(it) => self.execute(testbed, now, seat, &long(it)),
+            // Superseded by the command, which stations do not know yet.
+            #[expect(deprecated)]
+            MavMessage::SET_GPS_GLOBAL_ORIGIN(it) => {
+                let SET_GPS_GLOBAL_ORIGIN_DATA { latitude, longitude, altitude, .. } = *it;
+                self.place(seat, Origin { latitude, longitude, altitude });
+                Vec::new()
             }
             MavMessage::SET_POSITION_TARGET_LOCAL_NED(it) => {
                 let asks = place(testbed, it).and_then(|ask| allowed(seat, vec![ask]));
@@ -159,6 +209,9 @@ impl Mavlink {
                 };
                 // The aircraft answers with the value that it has then, which goes on as PARAM_VALUE.
                 let set = Ask::Set { number: number as u8, value: decimal(it.param_value) };
+                if refusal::reason(&set, now).is_some() {
+                    self.wanted.push(parameter(testbed, number));
+                }
                 allowed(seat, vec![set]).unwrap_or_else(|_| {
                     self.wanted.push(parameter(testbed, number));
                     Vec::new()
@@ -172,16 +225,118 @@ impl Mavlink {
         }
     }
 
+    /// Acknowledges a command and returns its requests.
+    fn execute(
+        &mut self,
+        testbed: &Testbed,
+        now: &Situation,
+        seat: &Seat,
+        it: &COMMAND_LONG_DATA,
+    ) -> Vec<Ask> {
+        let accepted = MavResult::MAV_RESULT_ACCEPTED;
+        // A refused request still goes to the testbed, which refuses it for the same reason and reports it.
+        let (result, asks) = match self.command(testbed, now, seat, it) {
+            Ok(mut asks) => match refusal::first_refused(&asks, now) {
+                Some(refused) => (MavResult::MAV_RESULT_DENIED, vec![asks.swap_remove(refused)]),
+                None => (accepted, asks),
+            },
+            Err(result) => (result, Vec::new()),
+        };
+        self.acknowledge(it.command, result);
+        asks
+    }
+
+    /// Moves the room's origin on the earth and reports it; returns false without the right to command.
+    fn place(&mut self, seat: &Seat, origin: Origin) -> bool {
+        let may = seat.claim(false);
+        if may {
+            self.origin = origin;
+        }
+        self.send(&telemetry::origin(&self.origin));
+        self.send(&telemetry::home(&self.origin));
+        may
+    }
+
+    fn acknowledge(&mut self, command: MavCmd, result: MavResult) {
+        let ack = COMMAND_ACK_DATA { command, result, ..COMMAND_ACK_DATA::DEFAULT };
+        self.send(&MavMessage::COMMAND_ACK(ack));
+    }
+
     /// Returns the requests of a command.
-    fn command(&mut self, testbed: &Testbed, seat: &Seat, it: &COMMAND_LONG_DATA) -> Verdict {
-        if it.command != MavCmd::MAV_CMD_MISSION_START {
-            let asks = command(testbed, it).and_then(|asks| allowed(seat, asks));
-            return self.instead(asks);
+    fn command(
+        &mut self,
+        testbed: &Testbed,
+        now: &Situation,
+        seat: &Seat,
+        it: &COMMAND_LONG_DATA,
+    ) -> Verdict {
+        match it.command {
+            MavCmd::MAV_CMD_REQUEST_MESSAGE => self.requested(testbed, it),
+            MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL => {
+                let number = number(it.param1).ok_or(MavResult::MAV_RESULT_DENIED)?;
+                let set = self.streams.set(number, it.param2.into(), id::HEARTBEAT);
+                set.map(|()| Vec::new()).map_err(|why| match why {
+                    Unchanged::Unknown => MavResult::MAV_RESULT_UNSUPPORTED,
+                    Unchanged::Denied => MavResult::MAV_RESULT_DENIED,
+                })
+            }
+            MavCmd::MAV_CMD_MISSION_START if !seat.claim(false) => {
+                Err(MavResult::MAV_RESULT_TEMPORARILY_REJECTED)
+            }
+            MavCmd::MAV_CMD_MISSION_START => {
+                let asks = self.mission.start(testbed.now(), &seen(testbed))?;
+                if refusal::first_refused(&asks, now).is_some() {
+                    self.mission.leave();
+                }
+                Ok(asks)
+            }
+            _ => {
+                let asks = command(testbed, it).and_then(|asks| allowed(seat, asks))?;
+                // A command that is refused does not end a mission.
+                match refusal::first_refused(&asks, now) {
+                    Some(_) => Ok(asks),
+                    None => self.instead(Ok(asks)),
+                }
+            }
         }
-        if !seat.claim(false) {
-            return Err(MavResult::MAV_RESULT_TEMPORARILY_REJECTED);
-        }
-        self.mission.start(testbed.now(), &seen(testbed))
+    }
+
+    /// Sends a message that a command requests.
+    fn requested(&mut self, testbed: &Testbed, it: &COMMAND_LONG_DATA) -> Verdict {
+        let wanted = number(it.param1).ok_or(MavResult::MAV_RESULT_DENIED)?;
+        let message = if wanted == MESSAGE_INTERVAL_DATA::ID {
+            let of = number(it.param2).ok_or(MavResult::MAV_RESULT_DENIED)?;
+            Some(MavMessage::MESSAGE_INTERVAL(MESSAGE_INTERVAL_DATA {
+                message_id: of as u16,
+                interval_us: self.streams.interval(of),
+            }))
+        } else if self.streams.contains(wanted) {
+            self.message(testbed, wanted)
+        } else {
+            return Err(MavResult::MAV_RESULT_UNSUPPORTED);
+        };
+        // Its signals are not received, or not yet.
+        let message = message.ok_or(MavResult::MAV_RESULT_TEMPORARILY_REJECTED)?;
+        self.send(&message);
+        Ok(Vec::new())
+    }
+
+    /// Returns a message by its number; none if its signals are not received.
+    fn message(&self, testbed: &Testbed, number: u32) -> Option<MavMessage> {
+        Some(match number {
+            id::HEARTBEAT => telemetry::heartbeat(testbed),
+            id::SYS_STATUS => telemetry::system(testbed),
+            id::BATTERY => telemetry::battery(testbed),
+            id::MISSION_CURRENT => self.mission.current(),
+            id::HOME => telemetry::home(&self.origin),
+            id::LANDED => telemetry::landed(testbed),
+            id::ORIGIN => telemetry::origin(&self.origin),
+            id::VERSION => telemetry::version(),
+            id::ATTITUDE => return telemetry::attitude(testbed),
+            id::LOCAL_POSITION => return telemetry::local_position(testbed),
+            id::GLOBAL_POSITION => return telemetry::global_position(testbed, &self.origin),
+            _ => return None,
+        })
     }
 
     /// Returns the requests that replace those of a running mission.
@@ -198,8 +353,9 @@ impl Tool for Mavlink {
         self.signature.refused
     }
 
-    fn listen(&mut self, testbed: &Testbed, seat: &Seat) -> Vec<Ask> {
+    fn listen(&mut self, testbed: &Testbed, situation: &Situation, seat: &Seat) -> Vec<Ask> {
         let now = testbed.now();
+        let mut situation = *situation;
         let mut asks = Vec::new();
         let mut datagram = [0; 2048];
         for _ in 0..MOST {
@@ -218,7 +374,9 @@ impl Tool for Mavlink {
                         self.heard = Some(now);
                         if addressed(&message).is_none_or(is_ours) {
                             let from = (raw.system_id() as u8, raw.component_id());
-                            asks.extend(self.take(testbed, seat, from, &message));
+                            let new = self.take(testbed, &situation, seat, from, &message);
+                            situation = new.iter().fold(situation, |it, ask| it.after(ask));
+                            asks.extend(new);
                         }
                     }
                     Ok(_) | Err(MessageReadError::Parse(_)) => {}
@@ -269,26 +427,19 @@ impl Tool for Mavlink {
         }
         for it in news {
             match it {
-                News::Record(record) => {
-                    self.records = self.records.wrapping_add(1);
-                    let told = telemetry::record(testbed, record, self.records);
-                    told.iter().for_each(|message| self.send(message));
-                }
                 News::Parameter(number, _) if usize::from(*number) < PARAMETER_COUNT => {
                     self.send(&parameter(testbed, usize::from(*number)));
                 }
-                News::Parameter(..) | News::Status(_) => {}
+                News::Record(_) | News::Parameter(..) | News::Status(_) => {}
             }
         }
         // What has not been heard of does not live.
         let heard = testbed.station.silence(testbed.now()).is_some_and(|since| since < LOST);
-        if heard && done.number.is_multiple_of(PHASE_PERIODS) {
-            self.send(&telemetry::landed(testbed));
-        }
-        if heard && done.number.is_multiple_of(HEARTBEAT_PERIODS) {
-            self.send(&telemetry::heartbeat(testbed));
-            self.send(&telemetry::battery(testbed));
-            self.send(&self.mission.current());
+        let record = testbed.station.record().map(|record| record.period);
+        for number in self.streams.due(done.number, record, heard) {
+            if let Some(message) = self.message(testbed, number) {
+                self.send(&message);
+            }
         }
     }
 }
@@ -302,6 +453,9 @@ fn addressed(message: &MavMessage) -> Option<Peer> {
         MavMessage::PARAM_REQUEST_LIST(it) => (it.target_system, it.target_component),
         MavMessage::PARAM_REQUEST_READ(it) => (it.target_system, it.target_component),
         MavMessage::PARAM_SET(it) => (it.target_system, it.target_component),
+        MavMessage::COMMAND_INT(it) => (it.target_system, it.target_component),
+        #[expect(deprecated)]
+        MavMessage::SET_GPS_GLOBAL_ORIGIN(it) => (it.target_system, COMPONENT),
         MavMessage::MISSION_COUNT(it) => (it.target_system, it.target_component),
         MavMessage::MISSION_ITEM_INT(it) => (it.target_system, it.target_component),
         MavMessage::MISSION_REQUEST_LIST(it) => (it.target_system, it.target_component),
@@ -356,25 +510,46 @@ fn allowed(seat: &Seat, asks: Vec<Ask>) -> Verdict {
 fn command(testbed: &Testbed, it: &COMMAND_LONG_DATA) -> Verdict {
     let flying = is_flying(testbed.station.phase());
     match it.command {
-        MavCmd::MAV_CMD_NAV_TAKEOFF if flying => Err(MavResult::MAV_RESULT_DENIED),
         MavCmd::MAV_CMD_NAV_TAKEOFF => {
             let signal = |number| f64::from(testbed.station.signal(number));
-            let up =
-                Ask::Fly { points: vec![point(signal(0), signal(1), it.param7.into(), signal(5))] };
+            let ([x, y, _], [_, _, yaw]) = (catalogue::PLACE, catalogue::ANGLES);
+            let place = point(signal(x), signal(y), it.param7.into(), signal(yaw));
+            let up = Ask::Fly { points: vec![place] };
             let wanted = (it.param7 > 0.0).then_some(up);
             Ok(wanted.into_iter().chain([Ask::TakeOff]).collect())
         }
         MavCmd::MAV_CMD_NAV_LAND => Ok(vec![Ask::Land]),
         MavCmd::MAV_CMD_DO_SET_MODE => mode(it.param2 as u32).map(|ask| vec![ask]),
-        MavCmd::MAV_CMD_COMPONENT_ARM_DISARM if it.param1 == 1.0 && !flying => Ok(vec![Ask::Arm]),
-        MavCmd::MAV_CMD_COMPONENT_ARM_DISARM if it.param1 == 1.0 => Ok(Vec::new()),
-        MavCmd::MAV_CMD_COMPONENT_ARM_DISARM if !flying || it.param2 == FORCE => {
-            Ok(vec![Ask::Stop])
-        }
-        MavCmd::MAV_CMD_COMPONENT_ARM_DISARM => Err(MavResult::MAV_RESULT_DENIED),
+        // An aircraft that flies is armed.
+        MavCmd::MAV_CMD_COMPONENT_ARM_DISARM if it.param1 == 1.0 && flying => Ok(Vec::new()),
+        MavCmd::MAV_CMD_COMPONENT_ARM_DISARM if it.param1 == 1.0 => Ok(vec![Ask::Arm]),
+        MavCmd::MAV_CMD_COMPONENT_ARM_DISARM if flying && it.param2 == FORCE => Ok(vec![Ask::Stop]),
+        MavCmd::MAV_CMD_COMPONENT_ARM_DISARM => Ok(vec![Ask::Disarm]),
         MavCmd::MAV_CMD_DO_FLIGHTTERMINATION if it.param1 > 0.5 => Ok(vec![Ask::Stop]),
         _ => Err(MavResult::MAV_RESULT_UNSUPPORTED),
     }
+}
+
+/// Converts a command whose place is in whole numbers.
+fn long(it: &COMMAND_INT_DATA) -> COMMAND_LONG_DATA {
+    COMMAND_LONG_DATA {
+        command: it.command,
+        param1: it.param1,
+        param2: it.param2,
+        param3: it.param3,
+        param4: it.param4,
+        param5: it.x as f32,
+        param6: it.y as f32,
+        param7: it.z,
+        ..COMMAND_LONG_DATA::DEFAULT
+    }
+}
+
+/// Converts a parameter to the number of a message.
+fn number(parameter: f32) -> Option<u32> {
+    // 24 bits, which the parameter holds exactly.
+    let sound = (0.0..16_777_216.0).contains(&parameter) && parameter.fract() == 0.0;
+    sound.then_some(parameter as u32)
 }
 
 /// Converts the number of a mode.
@@ -400,7 +575,7 @@ fn place(testbed: &Testbed, it: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Result<A
     {
         return Err(MavResult::MAV_RESULT_UNSUPPORTED);
     }
-    let held = f64::from(testbed.station.signal(15));
+    let held = f64::from(testbed.station.signal(catalogue::WANTED_YAW));
     let ignored = it.type_mask.contains(Mask::POSITION_TARGET_TYPEMASK_YAW_IGNORE);
     // Level, the angle of a passive rotation about the axis up is equal to an active one's about the axis down.
     let yaw = if ignored { held } else { f64::from(it.yaw) };

@@ -3,61 +3,197 @@
 //! Frames: MAVLink's north, east and down are the room's x, -y and -z; its angles are rotations about the body axes
 //! forward, right, down, in the order yaw, pitch, roll.
 
+use crate::catalogue;
 use crate::testbed::{Testbed, period};
 use ::mavlink::dialects::common::*;
 use models::{Alarm, Phase};
 use nalgebra::{Rotation3, Vector3};
-use sim::ground_station::Record;
 use sim::plant::rotation;
 
-/// Number of records between two messages with the position.
-const PLACE: u32 = 5;
+/// Mean radius of the earth, m.
+const EARTH: f64 = 6_371_008.8;
 
-/// Returns the messages with the attitude and, every few records, the position.
-pub fn record(testbed: &Testbed, record: &Record, count: u32) -> Vec<MavMessage> {
-    let time_boot_ms = (f64::from(record.period) * 1000.0 * period()) as u32;
-    let mut told = Vec::new();
-    // What is not chosen to come down is not known.
-    if let (Some(angles), Some(rates)) = (read(testbed, [3, 4, 5]), read(testbed, [9, 10, 11])) {
-        let (roll, pitch, yaw) = turned(&angles);
-        told.push(MavMessage::ATTITUDE(ATTITUDE_DATA {
-            time_boot_ms,
-            roll: roll as f32,
-            pitch: pitch as f32,
-            yaw: yaw as f32,
-            rollspeed: rates.x as f32,
-            pitchspeed: -rates.y as f32,
-            yawspeed: -rates.z as f32,
-        }));
-    }
-    let place = place(testbed).zip(read(testbed, [6, 7, 8]));
-    if let Some((place, velocity)) = place.filter(|_| count.is_multiple_of(PLACE)) {
-        told.push(MavMessage::LOCAL_POSITION_NED(LOCAL_POSITION_NED_DATA {
-            time_boot_ms,
-            x: place.x as f32,
-            y: -place.y as f32,
-            z: -place.z as f32,
-            vx: velocity.x as f32,
-            vy: -velocity.y as f32,
-            vz: -velocity.z as f32,
-        }));
-    }
-    told
+/// Place on the earth of the room's origin.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Origin {
+    /// Latitude, 1e-7°.
+    pub latitude: i32,
+    /// Longitude, 1e-7°.
+    pub longitude: i32,
+    /// Height above the mean sea level, mm.
+    pub altitude: i32,
 }
+
+impl Origin {
+    /// Returns latitude and longitude of a place in the room, 1e-7°, on a sphere.
+    fn located(&self, place: &Vector3<f64>) -> [i32; 2] {
+        let north = f64::from(self.latitude) * 1e-7;
+        let degrees = |arc: f64| arc.to_degrees() * 1e7;
+        let latitude = f64::from(self.latitude) + degrees(place.x / EARTH);
+        let longitude = f64::from(self.longitude)
+            - degrees(place.y / (EARTH * north.to_radians().cos().max(1e-6)));
+        [latitude.round() as i32, longitude.round() as i32]
+    }
+}
+
+/// Returns the time of the last record since the software began, ms.
+fn boot(testbed: &Testbed) -> u32 {
+    let periods = testbed.station.record().map_or(0, |record| record.period);
+    (f64::from(periods) * 1000.0 * period()) as u32
+}
+
+/// Returns the attitude; none without its signals.
+pub fn attitude(testbed: &Testbed) -> Option<MavMessage> {
+    let angles = read(testbed, catalogue::ANGLES)?;
+    let rates = read(testbed, catalogue::RATES)?;
+    let (roll, pitch, yaw) = turned(&angles);
+    Some(MavMessage::ATTITUDE(ATTITUDE_DATA {
+        time_boot_ms: boot(testbed),
+        roll: roll as f32,
+        pitch: pitch as f32,
+        yaw: yaw as f32,
+        rollspeed: rates.x as f32,
+        pitchspeed: -rates.y as f32,
+        yawspeed: -rates.z as f32,
+    }))
+}
+
+/// Returns the position and velocity in the room; none without their signals.
+pub fn local_position(testbed: &Testbed) -> Option<MavMessage> {
+    let (place, velocity) = (place(testbed)?, read(testbed, catalogue::VELOCITY)?);
+    Some(MavMessage::LOCAL_POSITION_NED(LOCAL_POSITION_NED_DATA {
+        time_boot_ms: boot(testbed),
+        x: place.x as f32,
+        y: -place.y as f32,
+        z: -place.z as f32,
+        vx: velocity.x as f32,
+        vy: -velocity.y as f32,
+        vz: -velocity.z as f32,
+    }))
+}
+
+/// Returns the position and velocity on the earth; none without their signals.
+pub fn global_position(testbed: &Testbed, origin: &Origin) -> Option<MavMessage> {
+    let (place, velocity) = (place(testbed)?, read(testbed, catalogue::VELOCITY)?);
+    let (_, _, yaw) = turned(&read(testbed, catalogue::ANGLES)?);
+    let [lat, lon] = origin.located(&place);
+    let height = (1000.0 * place.z) as i32;
+    let speed = |it: f64| (100.0 * it) as i16;
+    Some(MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
+        time_boot_ms: boot(testbed),
+        lat,
+        lon,
+        alt: origin.altitude.saturating_add(height),
+        relative_alt: height,
+        vx: speed(velocity.x),
+        vy: speed(-velocity.y),
+        vz: speed(-velocity.z),
+        // 0.01°, from 0 to 35,999.
+        hdg: (yaw.to_degrees().rem_euclid(360.0) * 100.0) as u16 % 36_000,
+    }))
+}
+
+/// Returns the place of the start: the room's origin.
+pub fn home(origin: &Origin) -> MavMessage {
+    MavMessage::HOME_POSITION(HOME_POSITION_DATA {
+        latitude: origin.latitude,
+        longitude: origin.longitude,
+        altitude: origin.altitude,
+        q: [1.0, 0.0, 0.0, 0.0],
+        ..HOME_POSITION_DATA::DEFAULT
+    })
+}
+
+/// Returns the place of the room's origin on the earth.
+pub fn origin(origin: &Origin) -> MavMessage {
+    MavMessage::GPS_GLOBAL_ORIGIN(GPS_GLOBAL_ORIGIN_DATA {
+        latitude: origin.latitude,
+        longitude: origin.longitude,
+        altitude: origin.altitude,
+        ..GPS_GLOBAL_ORIGIN_DATA::DEFAULT
+    })
+}
+
+/// Returns the state of sensors, motors and battery.
+pub fn system(testbed: &Testbed) -> MavMessage {
+    use MavSysStatusSensor as Part;
+    let inertial = Part::MAV_SYS_STATUS_SENSOR_3D_GYRO | Part::MAV_SYS_STATUS_SENSOR_3D_ACCEL;
+    let (vicon, height) = (
+        Part::MAV_SYS_STATUS_SENSOR_EXTERNAL_GROUND_TRUTH,
+        Part::MAV_SYS_STATUS_SENSOR_LASER_POSITION,
+    );
+    let (motors, ready) =
+        (Part::MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS, Part::MAV_SYS_STATUS_PREARM_CHECK);
+    let present = inertial | vicon | height | motors | ready;
+    let mut health = present;
+    let [seen, measured] = testbed.station.received(catalogue::AGES).unwrap_or_default();
+    for (part, age) in [(vicon, seen), (height, measured)] {
+        health.set(part, age <= SENSOR_TIMEOUT);
+    }
+    let alarmed = is_alarmed(testbed);
+    health.set(motors, !alarmed);
+    health.set(ready, seen <= SENSOR_TIMEOUT && measured <= SENSOR_TIMEOUT);
+    let flying = is_flying(testbed.station.phase());
+    let mut enabled = present;
+    enabled.set(motors, flying);
+    let cell = testbed.bench.battery();
+    MavMessage::SYS_STATUS(SYS_STATUS_DATA {
+        onboard_control_sensors_present: present,
+        onboard_control_sensors_enabled: enabled,
+        onboard_control_sensors_health: health,
+        voltage_battery: (1000.0 * cell.voltage()) as u16,
+        current_battery: (100.0 * cell.current()) as i16,
+        battery_remaining: (100.0 * cell.left()).ceil() as i8,
+        drop_rate_comm: lost(testbed),
+        ..SYS_STATUS_DATA::DEFAULT
+    })
+}
+
+/// Returns the share of the downlink's packets that were lost, 0.01 %.
+fn lost(testbed: &Testbed) -> u16 {
+    let down = testbed.station.down;
+    let all = (down.heard + down.missing).max(1);
+    (10_000 * down.missing / all) as u16
+}
+
+/// Returns the versions and abilities of the onboard software.
+pub fn version() -> MavMessage {
+    use MavProtocolCapability as Able;
+    // Major, minor and patch in a byte each; the last byte is the kind: 0 for development.
+    let parts = [env!("CARGO_PKG_VERSION_MAJOR"), env!("CARGO_PKG_VERSION_MINOR")];
+    let [major, minor] = parts.map(|it| it.parse::<u32>().unwrap_or_default());
+    let patch = env!("CARGO_PKG_VERSION_PATCH").parse::<u32>().unwrap_or_default();
+    MavMessage::AUTOPILOT_VERSION(AUTOPILOT_VERSION_DATA {
+        capabilities: Able::MAV_PROTOCOL_CAPABILITY_MISSION_INT
+            | Able::MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST
+            | Able::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED
+            | Able::MAV_PROTOCOL_CAPABILITY_FLIGHT_TERMINATION
+            | Able::MAV_PROTOCOL_CAPABILITY_MAVLINK2,
+        flight_sw_version: major << 24 | minor << 16 | patch << 8,
+        ..AUTOPILOT_VERSION_DATA::DEFAULT
+    })
+}
+
+/// Age of a measurement above which a sensor is not healthy, s.
+const SENSOR_TIMEOUT: f64 = 0.5;
 
 /// Returns the position of the aircraft in the room, m, if it is received.
 pub fn place(testbed: &Testbed) -> Option<Vector3<f64>> {
-    read(testbed, [0, 1, 2])
+    read(testbed, catalogue::PLACE)
 }
 
 /// Returns the time since the take-off, s, if it is received.
 pub fn flight_time(testbed: &Testbed) -> Option<f64> {
-    read(testbed, [17; 3]).map(|it| it.x)
+    testbed.station.received([catalogue::TIME]).map(|[time]| time)
 }
 
 fn read(testbed: &Testbed, signals: [u8; 3]) -> Option<Vector3<f64>> {
-    let known = signals.iter().all(|it| testbed.station.chosen().contains(it));
-    known.then(|| Vector3::from(signals.map(|it| f64::from(testbed.station.signal(it)))))
+    testbed.station.received(signals).map(Vector3::from)
+}
+
+/// Returns true if the aircraft has raised an alarm.
+fn is_alarmed(testbed: &Testbed) -> bool {
+    testbed.station.signal(catalogue::ALARM) != f32::from(Alarm::Clear as u8)
 }
 
 /// Converts the thesis' angles to MAVLink's roll, pitch and yaw, rad.
@@ -75,12 +211,11 @@ pub fn is_flying(phase: u8) -> bool {
 pub fn heartbeat(testbed: &Testbed) -> MavMessage {
     let phase = testbed.station.phase();
     let mut base_mode = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
-    // Ready for take-off is armed: nothing but the take-off is missing.
+    // An aircraft that is ready for take-off is armed.
     if phase != Phase::Over as u8 {
         base_mode |= MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED;
     }
-    let alarmed = testbed.station.signal(35) != f32::from(Alarm::Clear as u8);
-    let system_status = if alarmed {
+    let system_status = if is_alarmed(testbed) {
         MavState::MAV_STATE_EMERGENCY
     } else if is_flying(phase) {
         MavState::MAV_STATE_ACTIVE

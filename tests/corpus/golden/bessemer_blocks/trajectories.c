@@ -520,7 +520,7 @@ typedef struct {
 /**
  * Motion with minimum jerk between two states: the polynomial of fifth degree.
  *
- * Of all motions between the two positions, speeds and accelerations it has the smallest integral of the squared jerk.
+ * It has the smallest integral of the squared jerk of all motions between the two positions, speeds and accelerations.
  * The jerk of the ends is not used. Range: a duration above 0.
  *
  * ```
@@ -541,8 +541,8 @@ typedef struct {
 /**
  * Motion with minimum snap between two states: the polynomial of seventh degree.
  *
- * Of all motions between the two positions, speeds, accelerations and jerks it has the smallest integral of the
- * squared snap, the fourth derivative. Range: a duration above 0.
+ * It has the smallest integral of the squared snap, the fourth derivative, of all motions between the two positions,
+ * speeds, accelerations and jerks. Range: a duration above 0.
  *
  * ```
  * use bessemer_blocks::{MinimumSnap, Point};

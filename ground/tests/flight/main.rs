@@ -1,6 +1,8 @@
 //! Whole flights of the emitted C over UDP, in virtual time: through the ground station, the link and the bus.
 
-use bessemer_legs::toolchain::{self, ZYNQ};
+mod recordings;
+
+use bessemer_legs::toolchain;
 use ground::bench::Injection;
 use ground::key::Key;
 use ground::program::{Program, Target};
@@ -43,9 +45,20 @@ fn until(testbed: &mut Testbed, time: f64) {
     testbed.run_until(time, |_, _| ()).unwrap_or_else(|error| panic!("{error}"));
 }
 
+/// Arms the aircraft, and waits until it is armed.
+fn arm(testbed: &mut Testbed) {
+    let now = testbed.now();
+    testbed.station.order(now, Order::Arm);
+    while testbed.station.phase() != Phase::Ready as u8 {
+        assert!(testbed.now() < now + 5.0, "{:?}", testbed.station.outcomes);
+        testbed.step().unwrap_or_else(|error| panic!("{error}"));
+    }
+}
+
 /// Takes off to 1 m.
 fn taken_off(wanted: Wanted) -> Testbed {
     let mut testbed = testbed(wanted);
+    arm(&mut testbed);
     until(&mut testbed, 1.0);
     testbed.station.fly(1.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
     until(&mut testbed, 2.0);
@@ -85,8 +98,10 @@ fn a_trajectory_of_many_points_survives_a_link_that_loses_a_fifth() {
         let turn = f64::from(n) * 0.4;
         point(3.0 * f64::from(n), 0.4 * turn.sin(), 0.4 - 0.4 * turn.cos(), 1.0, 0.0)
     });
-    testbed.station.fly(0.0, points.collect());
-    testbed.station.order(0.0, Order::TakeOff);
+    arm(&mut testbed);
+    let now = testbed.now();
+    testbed.station.fly(now, points.collect());
+    testbed.station.order(now, Order::TakeOff);
     until(&mut testbed, 8.0);
     assert_eq!(testbed.station.phase(), Phase::Flight as u8, "{:?}", testbed.station.outcomes);
     until(&mut testbed, 56.0);
@@ -105,8 +120,10 @@ fn two_runs_over_the_same_bad_link_are_the_same_to_the_bit() {
     let flown = || {
         let mut words = Vec::new();
         let mut testbed = testbed(Wanted { quality: bad(), seed: 5, ..Wanted::default() });
-        testbed.station.fly(0.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
-        testbed.station.order(0.0, Order::TakeOff);
+        arm(&mut testbed);
+        let now = testbed.now();
+        testbed.station.fly(now, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
+        testbed.station.order(now, Order::TakeOff);
         let run = testbed.run_until(5.0, |done, _| {
             words.extend(bessemer_legs::words(&done.moment.outputs));
         });
@@ -137,8 +154,10 @@ fn who_is_stopped_and_goes_on_flies_the_same_bits() {
         let mut command = Command::new("sh");
         command.args(["-c", STOP_AND_GO, &us.to_string(), &software.to_string()]);
         let mut shell = disturbed.then(|| command.spawn().expect("it starts"));
-        testbed.station.fly(0.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
-        testbed.station.order(0.0, Order::TakeOff);
+        arm(&mut testbed);
+        let now = testbed.now();
+        testbed.station.fly(now, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
+        testbed.station.order(now, Order::TakeOff);
         let (mut words, mut ended) = (Vec::new(), false);
         // As long as it is disturbed, and the same flight undisturbed.
         while testbed.now() < 3.0 || !ended {
@@ -300,6 +319,7 @@ fn a_software_that_is_killed_is_met_again() {
     until(&mut testbed, 6.0);
     assert_eq!(testbed.restarts, 1);
     assert!(testbed.station.silence(6.0).is_some_and(|silence| silence < 0.1));
+    arm(&mut testbed);
     testbed.station.fly(6.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
     testbed.station.order(6.0, Order::TakeOff);
     until(&mut testbed, 14.0);
@@ -341,6 +361,29 @@ fn a_software_that_ends_at_its_start_is_told() {
     let broken = "`/bin/false` does not start: Broken pipe";
     let ended = "the onboard software ended at its start: its process ended: exit status: 1";
     assert!(said == ended || said.starts_with(broken), "{said}");
+}
+
+#[test]
+fn it_starts_disarmed_and_is_disarmed_on_the_ground_alone() {
+    let mut testbed = testbed(Wanted::default());
+    testbed.station.fly(0.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
+    testbed.station.order(0.0, Order::TakeOff);
+    until(&mut testbed, 3.0);
+    assert_eq!(testbed.station.phase(), Phase::Over as u8);
+    assert_eq!(testbed.bench.state().position.z, 0.0);
+    arm(&mut testbed);
+    let now = testbed.now();
+    testbed.station.order(now, Order::Disarm);
+    until(&mut testbed, now + 0.5);
+    let disarmed = ("disarm".to_owned(), Outcome::Done);
+    assert_eq!(testbed.station.phase(), Phase::Over as u8);
+    assert!(testbed.station.outcomes.contains(&disarmed), "{:?}", testbed.station.outcomes);
+    assert_eq!(testbed.station.signal(35), f32::from(Alarm::Clear as u8), "no alarm");
+
+    let mut testbed = taken_off(Wanted::default());
+    testbed.station.order(12.0, Order::Disarm);
+    until(&mut testbed, 14.0);
+    assert_eq!(testbed.station.phase(), Phase::Flight as u8);
 }
 
 #[test]
@@ -414,26 +457,6 @@ fn parameters_and_signals_change_in_flight_within_their_bounds() {
 }
 
 #[test]
-fn the_c_runs_again_from_a_recording_to_the_bit() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("flight.mcap");
-    // From the middle of the flight, over a bad link, with a key.
-    let mut testbed = taken_off(Wanted { quality: bad(), key: key(), ..Wanted::default() });
-    let image = testbed.image().expect("the bus").expect("it answers");
-    let mut recorder = recorder(&path, Some(image));
-    testbed.station.order(12.0, Order::Set(0, 2.0));
-    testbed
-        .run_until(15.0, |done, _| recorder.take(done, Vec::new()))
-        .unwrap_or_else(|error| panic!("{error}"));
-    let state = recorder.finish();
-    assert_eq!((state.error, state.periods), (None, 600));
-
-    let report = ground::replay::replay(&built(Target::Native), &path)
-        .unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!((report.steps, report.difference), (600, None));
-}
-
-#[test]
 fn the_key_is_in_no_log() {
     const SECRET: [u8; 16] = *b"Bessemer's flame";
     let digits = SECRET.map(|byte| format!("{byte:02x}")).concat();
@@ -488,89 +511,4 @@ fn what_is_forged_or_cut_off_is_counted_wherever_it_comes_from() {
     let counts = testbed.station.status.as_ref().expect("the link is open").counts;
     assert_eq!(counts[4..6], [whole.length as u32 - 1, 2], "{counts:?}");
     assert_eq!(testbed.station.phase(), Phase::Flight as u8);
-}
-
-/// A recording of the first two seconds; in one of its periods a bit is another, if that is wanted.
-fn recorded(path: &Path, changed: Option<u64>) {
-    let mut testbed = testbed(Wanted::default());
-    let mut recorder = recorder(path, None);
-    let run = testbed.run_until(2.0, |done, _| {
-        let mut done = done.clone();
-        if done.count == changed && changed.is_some() {
-            let motor = &mut done.moment.outputs.command.motors[2];
-            *motor = f64::from_bits(motor.to_bits() ^ 1);
-        }
-        recorder.take(&done, Vec::new());
-    });
-    run.unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(recorder.finish().error, None);
-}
-
-#[test]
-fn one_bit_of_a_recording_is_told_by_its_step_and_signal() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("flight.mcap");
-    recorded(&path, Some(123));
-    let report = ground::replay::replay(&built(Target::Native), &path)
-        .unwrap_or_else(|error| panic!("{error}"));
-    let difference = report.difference.expect("a bit differs");
-    assert_eq!((difference.count, difference.signal.as_str()), (123, "command.motors[2]"));
-}
-
-#[test]
-fn the_cortex_a9_runs_a_recording_of_this_machine_to_the_bit() {
-    if !std::env::var("BESSEMER_FULL").is_ok_and(|value| value == "1") {
-        println!("left out: it compiles for the Cortex-A9; BESSEMER_FULL=1 brings it in");
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("flight.mcap");
-    recorded(&path, None);
-    let report =
-        ground::replay::replay(&built(Target::A9), &path).unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!((report.steps, report.difference), (400, None));
-}
-
-#[test]
-fn a_bare_zynq_takes_off_with_the_bits_of_this_machine() {
-    if !ZYNQ.programs().into_iter().all(toolchain::is_asked_for) {
-        println!("left out: the tools of the bare Zynq are not installed");
-        return;
-    }
-    let flown = |program: &Program| {
-        let wanted = Wanted { quality: bad(), key: key(), ..Wanted::default() };
-        let (mut testbed, mut words) = (testbed_on(program, wanted), Vec::new());
-        testbed.station.fly(0.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
-        testbed.station.order(0.0, Order::TakeOff);
-        let run = testbed.run_until(3.0, |done, news| {
-            words.extend(done.count);
-            words.extend(bessemer_legs::words(&done.moment.inputs));
-            words.extend(bessemer_legs::words(&done.moment.outputs));
-            words.push(news.len() as u64);
-        });
-        run.unwrap_or_else(|error| panic!("{error}"));
-        (testbed, words)
-    };
-    let program = built(Target::Zynq);
-    let ((here, native), (mut there, bare)) = (flown(&built(Target::Native)), flown(&program));
-    assert!(here.bench.state().position.z > 0.1, "{}", here.bench.state().position);
-    let parted = native.iter().zip(&bare).position(|(here, there)| here != there);
-    assert_eq!((parted, native.len()), (None, bare.len()));
-
-    // Its memory goes over the line, too, and is put back.
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("flight.mcap");
-    let image = there.image().expect("the bus").expect("it answers");
-    let mut recorder = recorder(&path, Some(image));
-    there
-        .run_until(3.5, |done, _| recorder.take(done, Vec::new()))
-        .unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(recorder.finish().error, None);
-    let report = ground::replay::replay(&program, &path).unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!((report.steps, report.difference), (100, None));
-
-    there.kill();
-    until(&mut there, 4.0);
-    let why = there.ended.as_deref();
-    assert_eq!((there.restarts, why), (1, Some("its process ended: signal: 9 (SIGKILL)")));
 }
