@@ -2,6 +2,7 @@
 //!
 //! The numbers are those of the models; the names are only for people.
 
+use models::Settings;
 use models::tuning::{FIRST_GROUND_ONLY, LARGEST_VALUES, LEAST_VALUES};
 use serde::Serialize;
 
@@ -87,6 +88,8 @@ pub struct Parameter {
     pub least: f64,
     /// Upper limit of the value.
     pub most: f64,
+    /// Value at the start.
+    pub initial: f64,
     /// True if the parameter can be changed in flight.
     pub in_flight: bool,
     /// Names of its values 0, 1 …; empty if the values are numbers.
@@ -123,6 +126,7 @@ const CANDIDATES: [&str; 3] = ["cascade", "as printed", "geometric"];
 
 /// Every parameter.
 pub fn parameters() -> Vec<Parameter> {
+    let settings = Settings::mambo();
     let named = NAMED.iter().enumerate();
     named
         .map(|(n, (name, unit))| Parameter {
@@ -131,6 +135,7 @@ pub fn parameters() -> Vec<Parameter> {
             unit,
             least: LEAST_VALUES[n],
             most: LARGEST_VALUES[n],
+            initial: settings.parameter(n as u8),
             in_flight: n < FIRST_GROUND_ONLY,
             choices: if *name == CANDIDATE { &CANDIDATES } else { &[] },
         })

@@ -7,7 +7,7 @@ use crate::bench::{Period, Timing};
 use crate::catalogue::{self, PAGE_SIGNALS, SIGNALS, UNUSED, parameters};
 use crate::command::Seat;
 use crate::events::{self, Event, Severity, Sight, Watch};
-use crate::messages::{Ask, Point, Recording, State, Tell};
+use crate::messages::{Ask, Charge, Point, Recording, State, Tell};
 use crate::radio::Quality;
 use crate::recorder::{Recorder, Unwritable};
 use crate::refusal::{self, Situation};
@@ -279,6 +279,8 @@ impl Live {
             counts: station.status.as_ref().map(|status| status.counts),
             mode: station.status.as_ref().map(|status| status.mode),
             planned: self.planned,
+            battery: Charge::of(testbed.bench.battery()),
+            recordings: self.hub.recordings(),
             checks: refusal::checks(&situation).into(),
             parameters: station.parameters.to_vec(),
             pages: self.hub.pages(),

@@ -10,6 +10,7 @@ use crate::refusal::Check;
 use crate::station::{Down, Outcome};
 use models::receiver::Mode;
 use serde::{Deserialize, Serialize};
+use sim::battery::Battery;
 
 /// A setpoint from the page.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -256,6 +257,10 @@ pub struct State {
     pub mode: Option<u8>,
     /// True if a trajectory was sent that no flight has followed yet.
     pub planned: bool,
+    /// Battery of the simulated aircraft.
+    pub battery: Charge,
+    /// Names of the recordings that can be downloaded, the oldest first.
+    pub recordings: Vec<String>,
     /// Checks before arming.
     pub checks: Vec<Check>,
     /// Values of the parameters; `None` for those not received yet.
@@ -270,6 +275,22 @@ pub struct State {
     pub refused: u64,
     /// State of the recording.
     pub recording: Recording,
+}
+
+/// State of a battery.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Charge {
+    /// Voltage, V.
+    pub voltage: f64,
+    /// Remaining share of the charge.
+    pub left: f64,
+}
+
+impl Charge {
+    /// Returns the state of a battery.
+    pub fn of(battery: &Battery) -> Self {
+        Self { voltage: battery.voltage(), left: battery.left() }
+    }
 }
 
 /// State of a recording.

@@ -25,7 +25,7 @@ use axum::routing::get;
 use serde_json::Value;
 use std::collections::VecDeque;
 use std::net::SocketAddr;
-use std::path::PathBuf;
+use std::path::{Path as FilePath, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{SyncSender, TrySendError};
 use std::sync::{Arc, Mutex};
@@ -63,8 +63,8 @@ pub struct Hub {
     skipped: AtomicU64,
     /// True if a client commands the motors to stop. It is never rejected, however long the queue is.
     stop: AtomicBool,
-    /// The last recording.
-    recording: Mutex<Option<PathBuf>>,
+    /// The recordings, the oldest first.
+    recordings: Mutex<Vec<PathBuf>>,
     /// Number of all events, and the last of them as messages.
     events: Mutex<(usize, VecDeque<Utf8Bytes>)>,
 }
@@ -87,7 +87,7 @@ impl Hub {
             pages: AtomicUsize::new(0),
             skipped: AtomicU64::new(0),
             stop: AtomicBool::new(false),
-            recording: Mutex::new(None),
+            recordings: Mutex::default(),
             events: Mutex::default(),
         }))
     }
@@ -151,11 +151,25 @@ impl Hub {
         self.stop.swap(false, Ordering::Relaxed)
     }
 
-    /// Sets the file that can be downloaded.
+    /// Adds a file that can be downloaded.
     pub fn keep(&self, recording: PathBuf) {
-        if let Ok(mut place) = self.recording.lock() {
-            *place = Some(recording);
+        if let Ok(mut recordings) = self.recordings.lock() {
+            recordings.retain(|it| *it != recording);
+            recordings.push(recording);
         }
+    }
+
+    /// Returns the names of the files that can be downloaded, the oldest first.
+    pub fn recordings(&self) -> Vec<String> {
+        let Ok(recordings) = self.recordings.lock() else { return Vec::new() };
+        recordings.iter().filter_map(|it| name(it)).collect()
+    }
+
+    /// Returns the path of a recording by its name; of the last one without a name.
+    fn recording(&self, wanted: Option<&str>) -> Option<PathBuf> {
+        let recordings = self.recordings.lock().ok()?;
+        let mut newest = recordings.iter().rev();
+        newest.find(|it| wanted.is_none() || name(it).as_deref() == wanted).cloned()
     }
 }
 
@@ -188,7 +202,8 @@ fn router(hub: Arc<Hub>) -> Router {
     Router::new()
         .route("/", get(|| file(Path("index.html".to_owned()))))
         .route("/live", get(live))
-        .route("/flight.mcap", get(flight))
+        .route("/flight.mcap", get(last_recording))
+        .route("/recordings/{name}", get(recording))
         .route("/{name}", get(file))
         .with_state(hub)
 }
@@ -210,17 +225,40 @@ async fn file(Path(name): Path<String>) -> Response {
     (headers, content).into_response()
 }
 
+/// Returns the name of a file, if it is text.
+fn name(path: &FilePath) -> Option<String> {
+    path.file_name()?.to_str().map(str::to_owned)
+}
+
 /// Serves the last recording to a client with the token.
-async fn flight(State(hub): State<Arc<Hub>>, headers: HeaderMap, address: Uri) -> Response {
+async fn last_recording(State(hub): State<Arc<Hub>>, headers: HeaderMap, address: Uri) -> Response {
+    download(&hub, None, &headers, &address).await
+}
+
+/// Serves a recording by its name to a client with the token.
+async fn recording(
+    State(hub): State<Arc<Hub>>,
+    Path(name): Path<String>,
+    headers: HeaderMap,
+    address: Uri,
+) -> Response {
+    download(&hub, Some(&name), &headers, &address).await
+}
+
+/// Sends a recording piece by piece.
+async fn download(hub: &Hub, wanted: Option<&str>, headers: &HeaderMap, address: &Uri) -> Response {
     let mut query = address.query().into_iter().flat_map(|query| query.split('&'));
     let token = query.find_map(|part| part.strip_prefix("token=")).unwrap_or_default();
-    if !is_ours(&headers) || !is_same(token, &hub.token) {
+    if !is_ours(headers) || !is_same(token, &hub.token) {
         let reason = "a recording is for clients with the token: use the link on the page";
         return (StatusCode::FORBIDDEN, reason).into_response();
     }
-    let found = hub.recording.lock().ok().and_then(|place| place.clone());
-    let Some(path) = found else {
-        return (StatusCode::NOT_FOUND, "nothing has been recorded").into_response();
+    let Some(path) = hub.recording(wanted) else {
+        let reason = match wanted {
+            Some(_) => "there is no recording of this name",
+            None => "nothing has been recorded",
+        };
+        return (StatusCode::NOT_FOUND, reason).into_response();
     };
     let file = match tokio::fs::File::open(&path).await {
         Ok(file) => file,
@@ -231,7 +269,8 @@ async fn flight(State(hub): State<Arc<Hub>>, headers: HeaderMap, address: Uri) -
     };
     let headers = [
         (header::CONTENT_TYPE, "application/octet-stream"),
-        (header::CONTENT_DISPOSITION, "attachment; filename=\"flight.mcap\""),
+        // The browser takes the name from the address.
+        (header::CONTENT_DISPOSITION, "attachment"),
         (header::CACHE_CONTROL, "no-store"),
     ];
     (headers, Body::from_stream(ReaderStream::new(file))).into_response()

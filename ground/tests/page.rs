@@ -188,6 +188,8 @@ fn the_page_is_used_by_keys_alone() {
     browser.write("2");
     browser.press("Enter");
     browser.until("document.querySelector('#log').innerText.includes('set parameter 0: done')");
+    browser.until("document.querySelector('#modified').innerText === '1'");
+    browser.until("document.querySelector('#parameter-0').closest('tr').className === 'modified'");
     browser.write("99");
     browser.press("Enter");
     browser.until("document.querySelector('#log').innerText.includes('height P: 0.5 to 3')");
@@ -196,6 +198,9 @@ fn the_page_is_used_by_keys_alone() {
     browser.press("ArrowDown");
     browser.until("document.querySelector('#parameter-19').value === '2'");
     browser.until("document.querySelector('#log').innerText.includes('set parameter 19: done')");
+    assert!(browser.tab_to("#parameters-reset"));
+    browser.press("Enter");
+    browser.until("document.querySelector('#modified').innerText === '0'");
 
     // Into the air, and to a point of the plan: eleven steps of 10 cm along x.
     assert!(browser.tab_to("[data-order=take_off]"));
@@ -225,6 +230,29 @@ fn the_page_is_used_by_keys_alone() {
     browser.hold("a", "Number(document.body.dataset.place.split(',')[1]) > 0.2");
     browser.press("1");
     browser.until("document.querySelector('#mode').innerText === 'closed loop'");
+
+    // Plots pause and go on; one more is added and removed.
+    assert!(browser.tab_to("#pause"));
+    browser.press("Enter");
+    browser.until("document.querySelector('#pause').innerText === 'Resume plots'");
+    browser.press("Enter");
+    browser.until("document.querySelector('#pause').innerText === 'Pause plots'");
+    let charts = "document.querySelectorAll('.uplot').length";
+    assert!(browser.tab_to("#plotted"));
+    browser.press("ArrowDown");
+    browser.until(&format!("{charts} === 7"));
+    assert!(browser.tab_to(".uplot .away"));
+    browser.press("Enter");
+    browser.until(&format!("{charts} === 6"));
+
+    // A recording is listed when it has ended.
+    assert!(browser.tab_to("#record"));
+    browser.press("Enter");
+    browser.until("document.querySelector('#record').innerText === 'Stop recording'");
+    browser.press("Enter");
+    browser.until("document.querySelectorAll('#recordings a').length === 1");
+    browser.until("document.querySelector('#sensors').innerText === 'good'");
+    browser.until("document.querySelector('#battery').innerText.includes(' %, ')");
 
     // Other signals come down.
     assert!(browser.tab_to("#signals input[value=\"47\"]"));

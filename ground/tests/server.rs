@@ -546,6 +546,17 @@ fn a_recording_is_made_and_downloaded() {
     served.until("saved", |testbed| testbed.now() > 2.0);
     let answer = served.get(&format!("GET /flight.mcap?token={token}"));
     assert!(answer.starts_with("HTTP/1.1 200") && answer.contains("MCAP0"));
+    let state = page.hear("state");
+    let name = state["recordings"][0].as_str().unwrap_or_default().to_owned();
+    assert!(name.starts_with("flight-") && name.ends_with(".mcap"), "{state}");
+    let path = format!("GET /recordings/{name}");
+    let answer = served.get(&format!("{path}?token={token}"));
+    assert!(answer.starts_with("HTTP/1.1 200") && answer.contains("MCAP0"));
+    for (name, status) in [(path.as_str(), 403), ("GET /recordings/..%2FCargo.toml", 403)] {
+        assert!(served.get(name).starts_with(&format!("HTTP/1.1 {status}")), "{name}");
+    }
+    let other = served.get(&format!("GET /recordings/..%2FCargo.toml?token={token}"));
+    assert!(other.starts_with("HTTP/1.1 404"), "{other}");
     for query in ["", "?token=", "?token=0", "?other=1"] {
         let answer = served.get(&format!("GET /flight.mcap{query}"));
         assert!(answer.starts_with("HTTP/1.1 403"), "{query}: {answer}");

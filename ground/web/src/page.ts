@@ -3,9 +3,10 @@
 import "uplot/dist/uPlot.min.css";
 import "./page.css";
 import { History } from "./history";
+import { Horizon } from "./horizon";
 import { Plan } from "./plan";
 import { Plots } from "./plots";
-import { ALARM, CLOSED_LOOP, FEED_FORWARD, PHASE, TAKEN, WANTED, X, Y, Z } from "./protocol";
+import { ALARM, CLOSED_LOOP, FEED_FORWARD, PHASE, ROLL, TAKEN, TIME, WANTED, X, Y, YAW, Z } from "./protocol";
 import type { Ask, Frame, Happened, Hello, Playing, Point, State, Tell } from "./protocol";
 import { Scene } from "./scene";
 import { Socket } from "./socket";
@@ -31,7 +32,12 @@ const fixed = (value: number | null | undefined, digits: number): string =>
   value == null || !Number.isFinite(value) ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 
 const history = new History();
-const plots = new Plots(get("plots"));
+history.shown = 30;
+const plots = new Plots(get("plots"), (paused) => {
+  get("pause").textContent = paused ? "Resume plots" : "Pause plots";
+  get("pause").setAttribute("aria-pressed", `${paused}`);
+});
+const horizon = new Horizon(get<HTMLCanvasElement>("horizon"));
 const scene = new Scene(get<HTMLCanvasElement>("scene"));
 let hello: Hello | undefined;
 let commands = false;
@@ -97,6 +103,9 @@ function begin(tell: Hello): void {
     row.append(make("th", it.name), cell, make("td", it.unit), make("td", [it.choices.length > 0 ? "" : `${it.least} … ${it.most}`, it.in_flight ? "" : "on the ground"].filter(Boolean).join(", "), { class: "hint" }));
     return row;
   }));
+  const plotted = get("plotted");
+  plotted.replaceChildren(plotted.firstElementChild!, ...tell.signals.map((it) =>
+    make("option", it.unit ? `${it.name}, ${it.unit}` : it.name, { value: `${it.number}` })));
   get("signals").replaceChildren(...tell.signals.map((it) => {
     const label = make("label"), box = make("input", "", { type: "checkbox", value: `${it.number}` });
     label.append(box, ` ${it.name}${it.unit ? `, ${it.unit}` : ""}`);
@@ -106,7 +115,10 @@ function begin(tell: Hello): void {
 
 function frame(tell: Frame): void {
   if (!hello) return;
-  if (history.take(tell, hello.period)) scene.forget();
+  if (history.take(tell, hello.period)) {
+    scene.forget();
+    plan.forget();
+  }
   document.body.dataset["frames"] = `${Number(document.body.dataset["frames"] ?? 0) + 1}`;
   document.body.dataset["gaps"] = `${history.gaps}`;
   fresh = true;
@@ -127,7 +139,18 @@ function state(tell: State): void {
   tell.parameters.forEach((value, number) => {
     const input = document.getElementById(`parameter-${number}`) as HTMLInputElement | HTMLSelectElement | null;
     if (input && value != null && document.activeElement !== input) input.value = `${Number(value.toPrecision(6))}`;
+    const initial = hello?.parameters[number]?.initial;
+    input?.closest("tr")?.classList.toggle("modified", value != null && value !== initial);
   });
+  values = tell.parameters;
+  get("modified").textContent = `${document.querySelectorAll("#parameters .modified").length}`;
+  const { battery, checks } = tell;
+  get("battery").textContent = `${fixed(100 * battery.left, 0)} %, ${fixed(battery.voltage, 2)} V`;
+  get("battery").className = battery.left > 0.3 ? "good" : battery.left > 0.15 ? "poor" : "bad";
+  const failed = checks.filter((it) => ["motion capture", "height sensor"].includes(it.name) && (it.problem || !it.known));
+  get("sensors").textContent = failed.length === 0 ? "good" : failed.map((it) => `${it.name} ${it.known ? "lost" : "unknown"}`).join(", ");
+  get("sensors").className = failed.length === 0 ? "good" : failed.some((it) => it.known) ? "bad" : "poor";
+  recordings(tell.recordings);
   const { recording, timing, up, down, heard, counts } = tell;
   get("record").textContent = recording.running ? "Stop recording" : "Record";
   get("recording").textContent = recording.error ?? (recording.running ? `${fixed(recording.periods * (hello?.period ?? 0), 0)} s` : "");
@@ -149,9 +172,26 @@ function state(tell: State): void {
   get("counts").replaceChildren(...rows.flatMap(([name, value]) => [make("dt", name), make("dd", value)]));
 }
 
+/** The recordings that can be downloaded; they are drawn anew only when there are others. */
+let listed = "";
+function recordings(names: string[]): void {
+  const now = names.join();
+  if (now === listed || !socket.trusted) return;
+  listed = now;
+  get("recordings").replaceChildren(...names.map((name) => {
+    const line = make("li");
+    line.append(make("a", name, { href: `recordings/${encodeURIComponent(name)}?token=${socket.token}`, download: name }));
+    return line;
+  }));
+}
+
 function playing(tell: Playing): void {
   document.body.dataset["playing"] = fixed(tell.time, 2);
-  get("player").hidden = false;
+  if (get("player").hidden) {
+    get("player").hidden = false;
+    // What commands is hidden: the column is the events'.
+    get("middle").prepend(get("events-title"), get("events"));
+  }
   get("link").textContent = "recording";
   get("link").className = "";
   get("play").textContent = tell.speed > 0 ? "Pause" : "Play";
@@ -244,7 +284,8 @@ function draw(): void {
   const wanted: [number, number, number] = [now[WANTED] ?? 0, now[WANTED + 1] ?? 0, now[WANTED + 2] ?? 0];
   get("readout").textContent = `x ${fixed(now[X], 2)}  y ${fixed(now[Y], 2)}  z ${fixed(now[Z], 2)} m`;
   scene.show(now, history.truth, wanted);
-  plan.show([now[X] ?? 0, now[Y] ?? 0], [wanted[0], wanted[1]]);
+  horizon.show(now[ROLL] ?? 0, now[ROLL + 1] ?? 0, now[YAW] ?? 0);
+  plan.show([now[X] ?? 0, now[Y] ?? 0], now[YAW] ?? 0, [wanted[0], wanted[1]], flies() ? now[TIME] ?? NaN : NaN);
   plots.show(history);
   bars.forEach(({ closed, forward, text }, n) => {
     const [own, given] = [Math.abs(now[CLOSED_LOOP + n] ?? 0), Math.abs(now[FEED_FORWARD + n] ?? 0)];
@@ -296,6 +337,42 @@ function send(): void {
   const wrong = get("points").querySelector<HTMLInputElement>("input:invalid");
   if (wrong) return say(`${wrong.ariaLabel}: ${wrong.min} to ${wrong.max}`, true);
   ask("fly", { points });
+  plan.course = points;
+}
+
+/** Values of the parameters on board. */
+let values: (number | null)[] = [];
+
+/** Saves the parameters as an object from names to values. */
+function save(): void {
+  const named = Object.fromEntries((hello?.parameters ?? []).map((it) => [it.name, values[it.number] ?? null]));
+  const link = make("a", "", { download: "parameters.json" });
+  link.href = URL.createObjectURL(new Blob([`${JSON.stringify(named, null, 2)}\n`], { type: "application/json" }));
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+
+/** Sets the parameters of a file; says which names and values it does not take. */
+async function load(file: File): Promise<void> {
+  let read: unknown;
+  try { read = JSON.parse(await file.text()); } catch { read = null; }
+  if (typeof read !== "object" || read === null || Array.isArray(read)) {
+    return say(`${file.name} is no file of parameters: an object from names to numbers`, true);
+  }
+  let set = 0;
+  for (const [name, value] of Object.entries(read)) {
+    const known = hello?.parameters.find((it) => it.name === name);
+    if (!known) say(`${file.name}: there is no parameter ${name}`, true);
+    else if (typeof value !== "number" || value < known.least || value > known.most) say(`${name}: ${known.least} to ${known.most}`, true);
+    else if (value !== values[known.number]) { ask("set", { number: known.number, value }); set += 1; }
+  }
+  say(`${file.name}: ${set} parameters are set`);
+}
+
+function restore(): void {
+  for (const it of hello?.parameters ?? []) {
+    if (values[it.number] !== it.initial) ask("set", { number: it.number, value: it.initial });
+  }
 }
 
 const order = (type: string): void => ask(type);
@@ -319,6 +396,25 @@ get("add").addEventListener("click", () => {
   list();
 });
 get("fly").addEventListener("click", send);
+get("parameters-save").addEventListener("click", save);
+get("parameters-load").addEventListener("click", () => get("parameters-file").click());
+get<HTMLInputElement>("parameters-file").addEventListener("change", (event) => {
+  const chosen = event.target as HTMLInputElement, file = chosen.files?.[0];
+  if (file) void load(file);
+  chosen.value = "";
+});
+get("parameters-reset").addEventListener("click", restore);
+get("pause").addEventListener("click", () => { plots.paused = !plots.paused; fresh = true; });
+get<HTMLSelectElement>("span").addEventListener("change", (event) => {
+  history.shown = Number((event.target as HTMLSelectElement).value);
+  plots.paused = false;
+  fresh = true;
+});
+get<HTMLSelectElement>("plotted").addEventListener("change", (event) => {
+  const chosen = event.target as HTMLSelectElement, signal = hello?.signals.find((it) => `${it.number}` === chosen.value);
+  if (signal) plots.add(signal.unit ? `${signal.name}, ${signal.unit}` : signal.name, signal.number);
+  chosen.value = "";
+});
 get("kill").addEventListener("click", () => ask("kill"));
 get("record").addEventListener("click", () => ask(get("record").textContent === "Record" ? "record" : "save"));
 const speed = get<HTMLSelectElement>("speed");

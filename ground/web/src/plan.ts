@@ -1,19 +1,33 @@
-// The plan: the room from above, and where the aircraft is to go. A click or Enter sets a point.
+// The plan: the room from above with its walls, the way of the aircraft, and where it is to go. A click or Enter sets a point.
 
 import { css } from "./colours";
+import type { Point } from "./protocol";
 import { onResize } from "./resize";
+
+/** Distance between two points of the trail, m, and their largest number. */
+const STEP = 0.03, LONGEST = 2000;
+
+/** Room around the walls for the numbers of the axes, px. */
+const MARGIN = 20;
 
 export class Plan {
   private reach = 3;
   private cursor: [number, number] = [0, 0];
   private at: [number, number] = [0, 0];
   private wanted: [number, number] = [0, 0];
+  private yaw = 0;
+  private readonly trail: [number, number][] = [];
+  private points: Point[] = [];
+  /** Time since the take-off, s; not a number on the ground. */
+  private time = NaN;
 
   constructor(private readonly canvas: HTMLCanvasElement, chosen: (x: number, y: number) => void) {
     canvas.addEventListener("click", (event) => {
       const box = canvas.getBoundingClientRect();
-      const x = ((event.clientX - box.left) / box.width * 2 - 1) * this.reach;
-      const y = (1 - (event.clientY - box.top) / box.height * 2) * this.reach;
+      const part = (offset: number, length: number) => (offset - MARGIN) / (length - 2 * MARGIN) * 2 - 1;
+      const within = (value: number) => Math.min(this.reach, Math.max(-this.reach, value));
+      const x = within(part(event.clientX - box.left, box.width) * this.reach);
+      const y = within(-part(event.clientY - box.top, box.height) * this.reach);
       this.cursor = [x, y];
       chosen(x, y);
     });
@@ -35,11 +49,19 @@ export class Plan {
 
   set space(reach: number) { this.reach = reach; this.draw(); }
 
-  show(at: [number, number], wanted: [number, number]): void {
-    this.at = at;
-    this.wanted = wanted;
+  /** Points of the trajectory on board. */
+  set course(points: Point[]) { this.points = points.map((point) => ({ ...point })); this.draw(); }
+
+  show(at: [number, number], yaw: number, wanted: [number, number], time: number): void {
+    const last = this.trail[this.trail.length - 1];
+    if (!last || Math.hypot(at[0] - last[0], at[1] - last[1]) > STEP) this.trail.push(at);
+    if (this.trail.length > LONGEST) this.trail.shift();
+    [this.at, this.yaw, this.wanted, this.time] = [at, yaw, wanted, time];
     this.draw();
   }
+
+  /** Begins a new trail. */
+  forget(): void { this.trail.length = 0; }
 
   private draw(): void {
     const { canvas, reach } = this;
@@ -47,21 +69,51 @@ export class Plan {
     if (canvas.width !== size) canvas.width = canvas.height = size;
     const paper = canvas.getContext("2d");
     if (!paper || size === 0) return;
-    const place = ([x, y]: [number, number]): [number, number] => [(x / reach + 1) * size / 2, (1 - y / reach) * size / 2];
+    const margin = MARGIN * scale, room = size - 2 * margin;
+    const place = ([x, y]: [number, number]): [number, number] =>
+      [margin + (x / reach + 1) * room / 2, margin + (1 - y / reach) * room / 2];
     paper.fillStyle = css("--panel");
     paper.fillRect(0, 0, size, size);
     paper.strokeStyle = css("--line");
     paper.lineWidth = scale;
     paper.beginPath();
-    for (let metre = -reach; metre <= reach; metre += 1) {
+    const [west, south] = place([-reach, -reach]), [east, north] = place([reach, reach]);
+    paper.font = `${11 * scale}px system-ui`;
+    paper.textAlign = "center";
+    for (let metre = -Math.floor(reach); metre <= reach; metre += 1) {
       const [x, y] = place([metre, metre]);
-      paper.moveTo(x, 0); paper.lineTo(x, size); paper.moveTo(0, y); paper.lineTo(size, y);
+      paper.moveTo(x, north); paper.lineTo(x, south); paper.moveTo(west, y); paper.lineTo(east, y);
+      paper.fillStyle = css("--quiet");
+      paper.fillText(`${metre}`, x, south + 13 * scale);
+      paper.fillText(`${metre}`, west - 10 * scale, y + 4 * scale);
     }
     paper.stroke();
+    // The walls.
+    paper.strokeStyle = css("--quiet");
+    paper.lineWidth = 2 * scale;
+    paper.strokeRect(west, north, east - west, south - north);
     paper.fillStyle = css("--quiet");
-    paper.font = `${11 * scale}px system-ui`;
-    paper.fillText("x →", size - 30 * scale, size / 2 - 4 * scale);
-    paper.fillText("y ↑", size / 2 + 4 * scale, 14 * scale);
+    paper.fillText("x, m →", east - 22 * scale, south - 6 * scale);
+    paper.fillText("y, m ↑", west + 24 * scale, north + 14 * scale);
+    const path = (points: [number, number][], colour: string, dash: number[]) => {
+      paper.beginPath();
+      points.forEach((point) => paper.lineTo(...place(point)));
+      paper.strokeStyle = css(colour);
+      paper.lineWidth = 1.5 * scale;
+      paper.setLineDash(dash);
+      paper.stroke();
+      paper.setLineDash([]);
+    };
+    path(this.trail, "--one", []);
+    path(this.points.map(({ x, y }) => [x, y]), "--wanted", [4 * scale, 4 * scale]);
+    this.points.forEach(({ x, y, time }, n) => {
+      const [across, down] = place([x, y]), reached = this.time >= time;
+      paper.beginPath();
+      paper.arc(across, down, 3 * scale, 0, 2 * Math.PI);
+      paper.fillStyle = css(reached ? "--quiet" : "--wanted");
+      paper.fill();
+      if (this.points.length > 1) paper.fillText(`${n + 1}`, across + 9 * scale, down - 6 * scale);
+    });
     const ring = (where: [number, number], radius: number, colour: string, full: boolean) => {
       const [x, y] = place(where);
       paper.beginPath();
@@ -72,6 +124,12 @@ export class Plan {
     };
     ring(this.wanted, 8, "--wanted", false);
     ring(this.at, 5, "--one", true);
+    // The nose.
+    const [x, y] = place(this.at), length = 16 * scale;
+    paper.beginPath();
+    paper.moveTo(x, y);
+    paper.lineTo(x + length * Math.cos(this.yaw), y - length * Math.sin(this.yaw));
+    paper.stroke();
     if (document.activeElement === canvas) ring(this.cursor, 4, "--quiet", false);
   }
 }

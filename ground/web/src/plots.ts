@@ -12,6 +12,9 @@ interface Plot { title: string; lines: Line[] }
 /** Of a plot without its legend, px: six of them fit on a screen. */
 const HEIGHT = 118;
 
+/** Time without samples after which a line begins anew, s. */
+const SILENCE = 1;
+
 const DEGREES = 180 / Math.PI;
 const MOTORS = ["--one", "--two", "--three", "--four"];
 const motors = (first: number): Line[] =>
@@ -40,15 +43,15 @@ const PLOTS: Plot[] = [
 class Chart {
   private readonly plot: uPlot;
   private readonly scratch: Float64Array[] = [];
-  private step = Infinity;
+  readonly root: HTMLElement;
 
-  constructor(private readonly what: Plot, parent: HTMLElement) {
+  constructor(private readonly what: Plot, parent: HTMLElement, zoomed: (from: number, to: number) => void) {
     const series: uPlot.Series[] = [{ label: "s" }];
-    // Where frames are missing, nothing is drawn.
+    // A line goes on across lost samples; after a silence it begins anew.
     const gaps: uPlot.Series.GapsRefiner = (plot, _, from, to, found) => {
       const times = plot.data[0];
       for (let n = from + 1; n <= to; n += 1) {
-        if (times[n]! - times[n - 1]! > 1.5 * this.step) found.push([plot.valToPos(times[n - 1]!, "x", true), plot.valToPos(times[n]!, "x", true)]);
+        if (times[n]! - times[n - 1]! > SILENCE) found.push([plot.valToPos(times[n - 1]!, "x", true), plot.valToPos(times[n]!, "x", true)]);
       }
       return found;
     };
@@ -70,15 +73,26 @@ class Chart {
     this.plot = new uPlot({
       title: what.title, width: 400, height: HEIGHT, series, bands, axes: [{ ...axis(), size: 26 }, axis()],
       scales: { x: { time: false }, y: { range: (_, low, high) => wide(low, high) } },
-      cursor: { points: { show: false } }, legend: { live: true, markers: { stroke: (_, n) => `var(${what.lines[n - 1]?.colour ?? "--quiet"})` } }, pxAlign: 0,
+      // One cursor for all plots; a zoom is passed on by who made it.
+      cursor: { points: { show: false }, sync: { key: "flight", setSeries: false }, drag: { setScale: false } },
+      hooks: { setSelect: [(plot) => {
+        const { left, width } = plot.select;
+        if (width < 4) return;
+        plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+        zoomed(plot.posToVal(left, "x"), plot.posToVal(left + width, "x"));
+      }] },
+      legend: { live: true, markers: { stroke: (_, n) => `var(${what.lines[n - 1]?.colour ?? "--quiet"})` } }, pxAlign: 0,
     }, [[], ...series.slice(1).map(() => [])], parent);
+    this.root = this.plot.root;
   }
+
+  zoom(from: number, to: number): void { this.plot.setScale("x", { min: from, max: to }); }
+  remove(): void { this.plot.destroy(); }
 
   resize(width: number): void { this.plot.setSize({ width, height: HEIGHT }); }
   redraw(): void { this.plot.redraw(false, true); }
 
   show(history: History): void {
-    this.step = history.step;
     const data: (Float64Array)[] = [history.time];
     const length = history.time.length;
     let at = 0;
@@ -128,15 +142,41 @@ export class Plots {
   private last = 0;
   /** How long a picture takes of late, ms. */
   private pace = 0;
+  private stopped = false;
 
-  constructor(parent: HTMLElement) {
-    this.charts = PLOTS.map((plot) => new Chart(plot, parent));
-    onResize(parent, () => this.charts.forEach((chart) => chart.resize(parent.clientWidth - 4)));
+  /** `changed` learns when the plots are paused, by a zoom as well, and when they go on. */
+  constructor(private readonly parent: HTMLElement, private readonly changed: (paused: boolean) => void) {
+    this.charts = PLOTS.map((plot) => new Chart(plot, parent, this.zoom));
+    onResize(parent, () => this.resize());
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.charts.forEach((chart) => chart.redraw()));
   }
 
+  get paused(): boolean { return this.stopped; }
+  set paused(is: boolean) { this.stopped = is; this.changed(is); }
+
+  /** Adds a plot of one signal, with a button that removes it. */
+  add(name: string, signal: number): void {
+    const chart = new Chart({ title: name, lines: [{ name, signal, colour: "--one" }] }, this.parent, this.zoom);
+    const away = document.createElement("button");
+    away.textContent = "×";
+    away.className = "quiet away";
+    away.setAttribute("aria-label", `remove the plot of ${name}`);
+    away.addEventListener("click", () => { this.charts.splice(this.charts.indexOf(chart), 1); chart.remove(); });
+    chart.root.append(away);
+    this.charts.push(chart);
+    this.resize();
+  }
+
+  private resize(): void { this.charts.forEach((chart) => chart.resize(this.parent.clientWidth - 4)); }
+
+  private readonly zoom = (from: number, to: number): void => {
+    this.paused = true;
+    this.charts.forEach((chart) => chart.zoom(from, to));
+  };
+
   /** What moves in space shows a stutter sooner than a curve: where not everything can be drawn in time, curves wait. */
   show(history: History): void {
+    if (this.stopped) return;
     const now = performance.now();
     this.pace += 0.05 * (Math.min(now - this.last, 10 * PACE) - this.pace);
     this.last = now;

@@ -1,7 +1,7 @@
 // What goes between the page and the server: the shapes of ground/src/messages.rs.
 
 export interface Signal { number: number; name: string; unit: string }
-export interface Parameter { number: number; name: string; unit: string; least: number; most: number; in_flight: boolean; choices: string[] }
+export interface Parameter { number: number; name: string; unit: string; least: number; most: number; initial: number; in_flight: boolean; choices: string[] }
 export interface Counts { sent: number; lost: number; doubled: number; overtaken: number }
 export interface Hello {
   type: "hello"; signals: Signal[]; parameters: Parameter[]; phases: string[]; alarms: string[];
@@ -14,7 +14,7 @@ export interface State {
   type: "state"; time: number; alive: boolean; restarts: number; silence: number | null;
   timing: { periods: number; missed: number; slowest: number };
   up: Counts; down: Counts; heard: { heard: number; broken: number; missing: number };
-  counts: number[] | null; mode: number | null; planned: boolean; checks: Check[]; parameters: (number | null)[];
+  counts: number[] | null; mode: number | null; planned: boolean; battery: { voltage: number; left: number }; recordings: string[]; checks: Check[]; parameters: (number | null)[];
   pages: number; commanded: boolean; skipped: number; refused: number;
   recording: { running: boolean; periods: number; error: string | null; ready: boolean };
 }
