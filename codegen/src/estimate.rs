@@ -1,8 +1,7 @@
 //! Estimates of the instructions and cycles of each function on its longest path, from the explicit IR by a stated model.
 //!
 //! The model counts operations on the longest path: of a branch the longer side, of a loop the most passes. Each operation
-//! has the weights of its [`Class`]. The weights are not calibrated, so an estimate is no bound: measured calls have
-//! exceeded it. Caches, interrupts and wait states of memory are not in it.
+//! has the weights of its [`Class`]. The weights are not calibrated, so an estimate is no bound. Caches, interrupts and wait states of memory are not in it.
 //!
 //! Invariant: a loop without a known number of passes has no estimate, and neither have the functions that reach it.
 
@@ -160,8 +159,11 @@ impl Counter<'_> {
             ExprKind::Unary(_, of) => self.expr(of)? + one(arithmetic(&expr.ty)),
             ExprKind::Cast(of) => self.expr(of)? + one(Class::conversion(&of.ty, &expr.ty)),
             ExprKind::Binary(op, left, right) => {
-                let divides = matches!(op, BinaryOp::Div | BinaryOp::Rem);
-                let own = if divides { division(&expr.ty) } else { arithmetic(&expr.ty) };
+                let own = match op {
+                    BinaryOp::Div => division(&expr.ty),
+                    BinaryOp::Rem => remainder(&expr.ty),
+                    _ => arithmetic(&expr.ty),
+                };
                 self.exprs([&**left, &**right])? + one(own)
             }
             ExprKind::Compare(_, left, right) => {
@@ -264,6 +266,14 @@ fn division(ty: &Type) -> Class {
     }
 }
 
+fn remainder(ty: &Type) -> Class {
+    match Class::arithmetic(ty) {
+        Class::Single => Class::SingleRemainder,
+        Class::Double => Class::DoubleRemainder,
+        _ => division(ty),
+    }
+}
+
 fn root(ty: &Type) -> Class {
     match Class::arithmetic(ty) {
         Class::Double => Class::DoubleDivision,
@@ -280,7 +290,8 @@ fn of_intrinsic(intrinsic: Intrinsic, ty: &Type) -> Cost {
     match intrinsic {
         Sqrt => one(root(ty)),
         WrappingDiv | WrappingRem => one(division(ty)) + word,
-        DivEuclid | RemEuclid => one(division(ty)) * 2 + word * 2,
+        // Both take a quotient and a remainder.
+        DivEuclid | RemEuclid => one(division(ty)) + one(remainder(ty)) + word * 2,
         // Loops or tables of a few steps where the processor has no instruction.
         Floor | Ceil | Trunc | Round => word * 6,
         CountOnes | LeadingZeros | TrailingZeros | SwapBytes => word * 8,

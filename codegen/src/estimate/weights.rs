@@ -37,6 +37,10 @@ pub enum Class {
     Double,
     /// A division or a root in double precision.
     DoubleDivision,
+    /// A remainder in single precision: `fmodf` subtracts once for each of up to 277 binary places of the quotient.
+    SingleRemainder,
+    /// A remainder in double precision: `fmod` subtracts once for each of up to 2,098 binary places of the quotient.
+    DoubleRemainder,
     /// A conversion between floats, or between a float and an integer.
     Conversion,
     /// A branch with its test.
@@ -46,7 +50,7 @@ pub enum Class {
 }
 
 /// Weights of each class: its name, instructions, cycles on the Cortex-A9 and on the Cortex-M4F.
-pub const WEIGHTS: [(Class, &str, u64, u64, u64); 12] = [
+pub const WEIGHTS: [(Class, &str, u64, u64, u64); 14] = [
     (Class::Move, "load, store or constant", 1, 2, 2),
     (Class::Word32, "operation on at most 32 bits", 1, 1, 1),
     (Class::Word64, "operation on 64 bits", 3, 3, 4),
@@ -56,6 +60,8 @@ pub const WEIGHTS: [(Class, &str, u64, u64, u64); 12] = [
     (Class::SingleDivision, "division or root in single precision", 1, 20, 15),
     (Class::Double, "operation in double precision", 1, 6, 80),
     (Class::DoubleDivision, "division or root in double precision", 1, 32, 600),
+    (Class::SingleRemainder, "remainder in single precision", 2_000, 3_000, 3_000),
+    (Class::DoubleRemainder, "remainder in double precision", 15_000, 23_000, 26_000),
     (Class::Conversion, "conversion of or to a float", 3, 8, 40),
     (Class::Branch, "branch with its test", 2, 6, 4),
     (Class::Call, "call and return", 12, 30, 24),
