@@ -53,6 +53,7 @@
 #include "option_option_u8.h"
 #include "option_u16.h"
 #include "option_u8.h"
+#include "own_equalities.h"
 #include "own_equality.h"
 #include "pair.h"
 #include "pair_f32_bool.h"
@@ -220,6 +221,84 @@ static inline bool comparison_is_at_most(ordering_t order)
 static inline bool comparison_is_greater(ordering_t order)
 {
     return order == ORDERING_GREATER;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bessemer_status_t own_equalities_pair_equal(const own_equalities_pair_t *one,
+    const own_equalities_pair_t *other, bool *result)
+{
+    bessemer_status_t status;
+    bool all_equal = false;
+    bool all_holds;
+    status = own_equalities_ratio_eq(&one->one, &other->one, &all_holds);
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    if (all_holds) {
+        all_equal = true;
+        for (uint32_t i = 0U; i < 2U; i++) {
+            bool eq;
+            status = own_equalities_ratio_eq(&one->two[i], &other->two[i], &eq);
+            if (status != BESSEMER_STATUS_OK) {
+                return status;
+            }
+            if (!eq) {
+                all_equal = false;
+                break;
+            }
+        }
+        all_holds = all_equal;
+    }
+    *result = all_holds;
+    return BESSEMER_STATUS_OK;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bessemer_status_t pair_usize_own_equalities_pair_equal(
+    const pair_usize_own_equalities_pair_t *one, const pair_usize_own_equalities_pair_t *other,
+    bool *result)
+{
+    bessemer_status_t status;
+    bool second_equal = false;
+    if (one->first == other->first) {
+        status = own_equalities_pair_equal(&one->second, &other->second, &second_equal);
+        if (status != BESSEMER_STATUS_OK) {
+            return status;
+        }
+    }
+    *result = second_equal;
+    return BESSEMER_STATUS_OK;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bessemer_status_t pair_own_equalities_ratio_own_equalities_ratiox2_equal(
+    const pair_own_equalities_ratio_own_equalities_ratiox2_t *one,
+    const pair_own_equalities_ratio_own_equalities_ratiox2_t *other, bool *result)
+{
+    bessemer_status_t status;
+    bool all_equal = false;
+    bool all_holds;
+    status = own_equalities_ratio_eq(&one->first, &other->first, &all_holds);
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    if (all_holds) {
+        all_equal = true;
+        for (uint32_t i = 0U; i < 2U; i++) {
+            bool eq;
+            status = own_equalities_ratio_eq(&one->second[i], &other->second[i], &eq);
+            if (status != BESSEMER_STATUS_OK) {
+                return status;
+            }
+            if (!eq) {
+                all_equal = false;
+                break;
+            }
+        }
+        all_holds = all_equal;
+    }
+    *result = all_holds;
+    return BESSEMER_STATUS_OK;
 }
 
 /**

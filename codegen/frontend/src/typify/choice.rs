@@ -1,24 +1,18 @@
 //! Lowering of `match`: a `switch` if the arms name few values, else a chain of conditions.
 
-use std::cell::RefCell;
-
 use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site};
 use bessemer_ir::{
-    Arm, Block, Expr, ExprKind, Int, LocalId, LogicOp, Place, Scalar, Span, StmtKind, StructId,
-    Type,
+    Arm, Block, Expr, ExprKind, Int, LocalId, LogicOp, Scalar, Span, StmtKind, StructId, Type,
 };
 
 use super::conditions::has_let;
 use super::lowering::{Lowering, Target};
 use super::pattern::Test;
-use super::rewrite::is_pure;
-use super::subject::{Placeholder, taken_name};
+use super::subject::taken_name;
 use super::syntax::alternatives;
 use super::value::Value;
 use super::{Result, problem, refusals, refused};
-use bessemer_ir::effects;
-use bessemer_ir::visit::VisitMut;
 
 /// Largest number of values that an arm lists; one with more is a range.
 const LISTED: usize = 8;
@@ -101,33 +95,13 @@ impl Lowering<'_, '_> {
                 inner.lowered(&arm.body, target)
             });
         }
-        // What a guard writes, the later arms, and the names of its own, must not see in the subject.
-        let guarded = arms.iter().filter_map(|arm| arm.guard.as_ref()).any(|it| !is_pure(it));
-        let placeholders = match guarded {
-            true => Placeholder::of_parts(self, &mut subject, scrutinee),
-            false => Vec::new(),
-        };
-        let mut written = Vec::new();
-        let last = arms.len().saturating_sub(1);
-        let tested = arms.iter().enumerate().map(|(at, arm)| {
-            let (test, stmts) = self.apart(|inner| {
-                inner.naming_scope(|inner| inner.arm_test(arm, &subject, at == last, &mut written))
-            })?;
-            Ok((arm, RefCell::new((test, stmts))))
-        });
-        let tested = tested.collect::<Result<Vec<_>>>()?;
-        let puts = placeholders.into_iter().map(|it| it.decided(self, &written));
-        for mut put in puts.collect::<Vec<_>>() {
-            for (_, tested) in &tested {
-                let (test, stmts) = &mut *tested.borrow_mut();
-                test.condition.iter_mut().for_each(|condition| put.expr(condition));
-                test.names.iter_mut().for_each(|named| put.value(&mut named.stands));
-                stmts.iter_mut().for_each(|stmt| put.stmt(stmt));
-            }
+        // The later arms and the guard's own names must not see what a guard writes to what a part was copied from.
+        if matches!(scrutinee.kind, tree::ExprKind::Tuple(_)) {
+            let guards = arms.iter().filter_map(|arm| arm.guard.as_ref());
+            subject = self.part_held(subject, scrutinee, guards);
         }
-        self.chain(&tested, span, None, &|inner, (arm, tested), _| {
-            let (test, stmts) = tested.take();
-            inner.out.extend(stmts);
+        self.chain(&arms, span, None, &|inner, arm, last| {
+            let test = inner.arm_test(arm, &subject, last)?;
             let then = inner.scoped(|inner| {
                 let before = inner.locals.len() as u32;
                 inner.bind_names(&test.names)?;
@@ -142,23 +116,13 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// Returns the condition under which an arm is taken, including its guard, and adds the places that the guard
-    /// writes to `written`.
-    fn arm_test(
-        &mut self,
-        arm: &tree::Arm,
-        subject: &Value,
-        last: bool,
-        written: &mut Vec<Place>,
-    ) -> Result<Test> {
+    /// Returns the condition under which an arm is taken, including its guard.
+    fn arm_test(&mut self, arm: &tree::Arm, subject: &Value, last: bool) -> Result<Test> {
         let mut test = self.test(&arm.pattern, subject, arm.site)?;
-        let mark = self.out.len();
         match last && !arm.guard.as_ref().is_some_and(has_let) {
             true => test.condition = None,
             false => self.guard(&mut test, arm.guard.as_ref(), None)?,
         }
-        written.extend(effects::writes(&self.out[mark..]));
-        written.extend(test.condition.iter().flat_map(effects::lent));
         Ok(test)
     }
 

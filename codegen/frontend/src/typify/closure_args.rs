@@ -338,17 +338,11 @@ impl<'a> Lowering<'a, '_> {
         // A closure that was written before what calls it changes nothing there but what it is lent for that.
         let stays = handed.scope.locals.filter(|_| name != tree::EACH);
         let mut subjects: Vec<Value> = Vec::new();
-        for (parameter, argument) in closure.parameters.iter().zip(arguments) {
+        for (at, (parameter, argument)) in closure.parameters.iter().zip(arguments).enumerate() {
             let each = name == tree::EACH;
-            let next = self.settling(
-                |inner| inner.argument_for(parameter, argument, &handed, (each, site)),
-                |inner, _, later| {
-                    for (it, argument) in subjects.iter_mut().zip(arguments) {
-                        inner.settle_argument(it, argument, later);
-                    }
-                },
-            )?;
-            subjects.push(next);
+            let subject = self.argument_for(parameter, argument, &handed, (each, site))?;
+            self.name_own(parameter, &subject, stays);
+            subjects.push(self.part_held(subject, argument, &arguments[at + 1..]));
         }
         self.in_scope_of(&handed, None, site, |inner| {
             inner.bind_arguments(closure, &subjects, stays)?;

@@ -83,20 +83,18 @@ pub(super) fn zipped<'a>(
 }
 
 /// Returns the condition under which Rust's `eq` compares items at all: the lengths are equal, if it knows both. None if it
-/// always does, or if nothing shows the difference.
+/// always does, or if nothing shows the difference. `acts`: an item's own `==` may write or fault.
 pub(super) fn same_length(
     lowering: &mut Lowering,
-    (function, arguments): Called,
+    arguments: &[tree::Expr],
+    acts: bool,
     site: Site,
 ) -> Result<Option<Expr>> {
-    if !standard::is_comparison(function) {
-        return Ok(None);
-    }
     let named: Vec<_> = arguments.iter().filter_map(|it| lowering.iterator_named(it)).collect();
     let [one, other] = named[..] else { return Ok(None) };
     let [first, second] = [one, other].map(|side| named_items(lowering, side));
     let both = first.beside(second);
-    if both.access == Access::Serial || !both.acts {
+    if both.access == Access::Serial || !(both.acts || acts) {
         return Ok(None);
     }
     let lengths = [one, other].map(|side| length(lowering, side));
@@ -250,7 +248,7 @@ fn of_adapter<'a>(
         if param.items {
             sides.push(of_argument(lowering, argument, through));
         } else if param.closure {
-            acting |= acts(argument, through);
+            acting |= acts(lowering, argument, through);
         }
     }
     standard::adapted(function, &sides, acting)
@@ -308,12 +306,19 @@ fn plain_access(lowering: &mut Lowering, array: &tree::Expr, owned: bool) -> Acc
 }
 
 /// Returns true if a closure may write or fault.
-fn acts(closure: &tree::Expr, through: &Closure) -> bool {
+fn acts(lowering: &Lowering, closure: &tree::Expr, through: &Closure) -> bool {
     let Tree::Closure(closure) = &closure.kind else { return true };
+    let own_equality = lowering.cx.has_own_equality();
     closure.body.any_expr(|it| match &it.kind {
         Tree::Bool(_) | Tree::Int(..) | Tree::Float(..) | Tree::Path(..) => false,
         Tree::Local(_) | Tree::Field(..) | Tree::Deref(_) | Tree::Ref(..) => false,
         Tree::Tuple(_) | Tree::Array(_) | Tree::Constructor(..) | Tree::Cast(_) => false,
+        // No slot says of which type a place is.
+        Tree::Binary(BinaryOp::Eq | BinaryOp::Ne, left, right)
+            if own_equality && ![left, right].into_iter().any(|it| is_scalar(it, through)) =>
+        {
+            true
+        }
         Tree::Binary(op, _, right) => may_fault(*op, right) && !is_float(it, through),
         Tree::Unary(..) => !is_float(it, through),
         _ => true,
@@ -333,8 +338,17 @@ fn may_fault(op: BinaryOp, right: &tree::Expr) -> bool {
 
 /// Returns true if rustc sees an expression as a float.
 fn is_float(expr: &tree::Expr, through: &Closure) -> bool {
-    let seen = expr.slot.and_then(|slot| through.source.slots.get(slot as usize));
-    matches!(seen, Some(Ty::Scalar(Scalar::Float(_))))
+    matches!(seen_as(expr, through), Some(Ty::Scalar(Scalar::Float(_))))
+}
+
+/// Returns true if an expression is known to be a number or a truth value.
+fn is_scalar(expr: &tree::Expr, through: &Closure) -> bool {
+    matches!(expr.kind, Tree::Bool(_) | Tree::Int(..) | Tree::Float(..) | Tree::Cast(_))
+        || matches!(seen_as(expr, through), Some(Ty::Scalar(_)))
+}
+
+fn seen_as<'c>(expr: &tree::Expr, through: &'c Closure) -> Option<&'c Ty> {
+    expr.slot.and_then(|slot| through.source.slots.get(slot as usize))
 }
 
 /// Returns the number of items of an iterator; none if it consists of other items than elements and numbers.
@@ -435,7 +449,9 @@ fn chunks_in<'a>(lowering: &mut Lowering<'a, '_>, through: &Closure<'a>) -> bool
         _ => return false,
     };
     if standard::is_chunk_by(function) {
-        return arguments.iter().any(|it| matches!(it.kind, Tree::Closure(_)) && acts(it, through));
+        return arguments
+            .iter()
+            .any(|it| matches!(it.kind, Tree::Closure(_)) && acts(lowering, it, through));
     }
     let params = function.tree.params.iter().zip(arguments).filter(|it| it.0.items);
     standard::ends_in_argument(function)

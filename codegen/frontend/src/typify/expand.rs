@@ -9,7 +9,8 @@
 //! Must not know: what any such function computes.
 
 use bessemer_ir::tree::{self, Role, Site, Ty};
-use bessemer_ir::{Expr, ExprKind, LogicOp, Type};
+use bessemer_ir::visit::Walk;
+use bessemer_ir::{Expr, ExprKind, LogicOp, Stmt, Type};
 
 use super::by_hand::{borrowed, check_end};
 use super::call::Called;
@@ -19,6 +20,7 @@ use super::lowering::{Lowering, Scope, local_since};
 use super::syntax::generates;
 use super::value::Value;
 use super::{Problem, Result, diagnostic, problem, refusals, refused};
+use crate::standard;
 
 /// Name of the DSL's crate, whose code is not the author's.
 const DSL: &str = "bessemer";
@@ -49,19 +51,40 @@ impl<'a> Lowering<'a, '_> {
         if let Some(length) = length_of_items(self, called, site)? {
             return Ok(length);
         }
-        let value = match same_length(self, called, site)? {
-            Some(same) => {
-                let span = same.span;
-                let compared = |inner: &mut Self| inner.expanded(called, site, end);
-                self.short_circuit(LogicOp::And, same, span, compared)?
+        let value = match standard::is_comparison(called.0) {
+            true => {
+                let compared = self.apart(|inner| inner.expanded(called, site, end))?;
+                self.items_compared(compared, called.1, site)?
             }
-            None => self.expanded(called, site, end)?,
+            false => self.expanded(called, site, end)?,
         };
         // A local of its own, which nothing names from here on.
         if let ExprKind::Load(place) = &value.kind {
             self.held.extend(local_since(place, before));
         }
         Ok(value)
+    }
+
+    /// Emits the comparison of two iterators' items, if their lengths are equal where Rust knows these.
+    fn items_compared(
+        &mut self,
+        (equal, stmts): (Expr, Vec<Stmt>),
+        arguments: &[tree::Expr],
+        site: Site,
+    ) -> Result<Expr> {
+        let acts = |expr: &Expr| self.cx.calls_own_equality(expr);
+        let acts = equal.any_expr(acts) || stmts.iter().any(|stmt| stmt.any_expr(acts));
+        let compared = |inner: &mut Self| {
+            inner.out.extend(stmts);
+            Ok(equal)
+        };
+        match same_length(self, arguments, acts, site)? {
+            Some(same) => {
+                let span = same.span;
+                self.short_circuit(LogicOp::And, same, span, compared)
+            }
+            None => compared(self),
+        }
     }
 
     /// Lowers the body of an inlined function, and calls `end` with its tail expression.

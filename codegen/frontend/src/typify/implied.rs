@@ -63,6 +63,36 @@ impl<'a> Context<'a> {
     }
 }
 
+impl Context<'_> {
+    /// Returns true if an author wrote an `==` of any type.
+    pub(super) fn has_own_equality(&self) -> bool {
+        self.known.values().any(|known| known.own_equality.is_some())
+    }
+
+    /// Returns true if a call compares values by an author's `==`.
+    pub(super) fn calls_own_equality(&self, expr: &Expr) -> bool {
+        match &expr.kind {
+            ExprKind::Call(_, arguments) => arguments.iter().any(|it| match it {
+                Argument::Value(value) | Argument::Ref(value) => self.compares_by_own(&value.ty),
+                Argument::RefMut(_) => false,
+            }),
+            _ => false,
+        }
+    }
+
+    /// Returns true if `==` of a type calls an author's `==`.
+    fn compares_by_own(&self, ty: &Type) -> bool {
+        self.known(ty).own_equality.is_some()
+            || match ty {
+                Type::Struct(id) => {
+                    self.fields(*id).iter().any(|field| self.compares_by_own(&field.ty))
+                }
+                Type::Array { element, .. } | Type::Slice(element) => self.compares_by_own(element),
+                _ => false,
+            }
+    }
+}
+
 impl Lowering<'_, '_> {
     /// Returns the callee at a path, or an error that says why there is none.
     pub(super) fn function_at(&mut self, path: &str, site: Site) -> Result<FunctionId> {

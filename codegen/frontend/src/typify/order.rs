@@ -72,21 +72,6 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Lowers an operand with `lower`. Before its statements, `settle` holds the earlier values that they could
-    /// change.
-    pub(super) fn settling<T>(
-        &mut self,
-        lower: impl FnOnce(&mut Self) -> Result<T>,
-        settle: impl FnOnce(&mut Self, &T, &[Stmt]),
-    ) -> Result<T> {
-        let mark = self.out.len();
-        let done = lower(self)?;
-        let later = self.later(mark);
-        settle(self, &done, &later);
-        self.out.extend(later);
-        Ok(done)
-    }
-
     /// Returns an atom for a value: a literal, a constant, or a local that is assigned once. If nothing would have
     /// changed the value, [`fuse`](crate::fuse) substitutes it again.
     pub(super) fn atom(&mut self, role: &str, value: Expr) -> Expr {

@@ -6,11 +6,11 @@
 //! Must not know: how patterns test it ([`pattern`](super::pattern)).
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern};
-use bessemer_ir::{Expr, LocalId, Place, Stmt, StmtKind, Type};
+use bessemer_ir::{Expr, LocalId, Place, StmtKind, Type};
 
 use super::lenders::Put;
 use super::lowering::{Lowering, UNNAMED, local_since};
-use super::order::is_settled;
+use super::rewrite::is_pure;
 use super::value::Value;
 use super::{Result, words};
 use bessemer_ir::effects;
@@ -23,15 +23,9 @@ impl Lowering<'_, '_> {
             && !parts.is_empty()
         {
             let mut subjects: Vec<Value> = Vec::new();
-            for part in parts {
-                let next = self.settling(
-                    |inner| inner.subject(part),
-                    |inner, _, later| {
-                        let before = subjects.iter_mut().zip(parts);
-                        before.for_each(|(it, part)| inner.settle_subject(it, part, later));
-                    },
-                )?;
-                subjects.push(next);
+            for (at, part) in parts.iter().enumerate() {
+                let subject = self.subject(part)?;
+                subjects.push(self.part_held(subject, part, &parts[at + 1..]));
             }
             return Ok(Value::Tuple(subjects, None));
         }
@@ -87,31 +81,20 @@ impl Lowering<'_, '_> {
         Value::Place(self.hold(value))
     }
 
-    /// Copies the parts that later statements could change; a borrowed part remains an alias.
-    fn settle_subject(&mut self, subject: &mut Value, expr: &tree::Expr, later: &[Stmt]) {
-        self.settle_parts((subject, expr), &|place| {
-            !later.is_empty() && !is_settled(&place.load(), later)
-        });
-    }
-
-    /// Copies the parts of a closure's argument that later statements write; all others remain aliases.
-    pub(super) fn settle_argument(
+    /// Holds the parts of a subject that are no references, if `later` expressions may write; a reference remains an
+    /// alias.
+    pub(super) fn part_held<'e>(
         &mut self,
-        subject: &mut Value,
+        mut subject: Value,
         expr: &tree::Expr,
-        later: &[Stmt],
-    ) {
-        let written = effects::writes(later);
-        self.settle_parts((subject, expr), &|place| is_among(place, &written));
-    }
-
-    /// Copies each part that is no reference and for which `changes` is true. The remaining parts are aliases.
-    fn settle_parts(&mut self, both: (&mut Value, &tree::Expr), changes: &dyn Fn(&Place) -> bool) {
-        self.value_parts(both, &mut |inner, place| {
-            if changes(place) {
+        later: impl IntoIterator<Item = &'e tree::Expr>,
+    ) -> Value {
+        if !later.into_iter().all(is_pure) {
+            self.value_parts((&mut subject, expr), &mut |inner, place| {
                 *place = inner.atom_place(words::SELECTOR, place.load());
-            }
-        });
+            });
+        }
+        subject
     }
 
     /// Calls `change` for each part that is no reference.
@@ -166,33 +149,9 @@ impl Placeholder {
         Placeholder { local, place }
     }
 
-    /// Replaces each part of a subject that is a value by a placeholder.
-    pub(super) fn of_parts(
-        lowering: &mut Lowering,
-        subject: &mut Value,
-        expr: &tree::Expr,
-    ) -> Vec<Placeholder> {
-        let mut all = Vec::new();
-        lowering.value_parts((subject, expr), &mut |inner, place| {
-            let placeholder = Placeholder::of(inner, place.clone());
-            *place = placeholder.stands();
-            all.push(placeholder);
-        });
-        all
-    }
-
     /// Returns the place that is the placeholder itself.
     pub(super) fn stands(&self) -> Place {
         Place::local(self.local, self.place.ty.clone(), self.place.span)
-    }
-
-    /// Replaces the placeholder by a copy made here if something writes the place, else by the place.
-    pub(super) fn decided(self, lowering: &mut Lowering, written: &[Place]) -> Put {
-        let place = match is_among(&self.place, written) {
-            true => lowering.atom_place(words::SELECTOR, self.place.load()),
-            false => self.place.clone(),
-        };
-        self.replaced(lowering, place)
     }
 
     /// Replaces the placeholder by a place.

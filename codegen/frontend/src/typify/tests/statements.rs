@@ -8,11 +8,15 @@ use super::{called, module, shown, values};
 
 /// Returns a function of `i` and `n` with a loop that it leaves at its end.
 fn looped(body: &str) -> Module {
+    ended(&format!("{body}\n    break;"))
+}
+
+/// Returns a function of `i` and `n` with a loop that ends as its body says.
+fn ended(body: &str) -> Module {
     module(&format!(
         "fn f in demo(i: u8, n: u8) -> u8 as y {{
   for k: usize in 0..1 {{
 {body}
-    break;
   }}
   return i;
 }}"
@@ -38,13 +42,28 @@ fn a_loop_that_runs_once_is_its_statements() {
         "if i < n {\n i = 1u8;\n break;\n }\n if n < 3u8 {\n i = 4u8;\n break;\n }\n i = 5u8;",
         "if i < n {\n i = 1u8;\n break;\n } else {\n i = 6u8;\n }\n i = i.wrapping_add(1u8);",
     ] {
-        let with = looped(body);
-        let without = without_loop(&with).unwrap_or_else(|| panic!("{body}: no single pass"));
-        for (i, n) in [(0, 0), (0, 1), (5, 3), (3, 5), (2, 2), (255, 1)] {
-            let arguments: [&[u64]; 2] = [&[i], &[n]];
-            let [one, other] = [&with, &without].map(|it| called(it, &arguments).ok());
-            assert_eq!(one, other, "{body} of {i} and {n}");
-        }
+        means_the_same(&looped(body), body);
+    }
+}
+
+#[test]
+fn each_branch_may_end_a_loop_that_runs_once() {
+    for body in [
+        "if i < n {\n break;\n } else {\n i = 7u8;\n break;\n }",
+        "if i < n {\n i = 1u8;\n break;\n } else {\n break;\n }",
+        "if i < n {\n if n < 3u8 {\n break;\n } else {\n i = 2u8;\n break;\n }\n } else {\n i = 3u8;\n break;\n }",
+    ] {
+        means_the_same(&ended(body), body);
+    }
+}
+
+/// Compares a function with the same function without its loop.
+fn means_the_same(with: &Module, body: &str) {
+    let without = without_loop(with).unwrap_or_else(|| panic!("{body}: no single pass"));
+    for (i, n) in [(0, 0), (0, 1), (5, 3), (3, 5), (2, 2), (255, 1)] {
+        let arguments: [&[u64]; 2] = [&[i], &[n]];
+        let [one, other] = [with, &without].map(|it| called(it, &arguments).ok());
+        assert_eq!(one, other, "{body} of {i} and {n}");
     }
 }
 

@@ -576,3 +576,20 @@ pub fn generated_left(a: [u32; 5], n: u8) -> u32 {
     }
     mixed(sum, it.next())
 }
+
+/// Leaves out the first item of an iterator.
+#[function]
+fn behind_first<I: Iterator<Item = u32>>(items: I) -> impl Iterator<Item = u32> + use<I> {
+    items.skip(1).map(|x| x ^ 1)
+}
+
+/// Items of a function that leaves one out, taken one by one.
+#[function]
+pub fn left_out(a: [u32; 5], n: u8) -> u32 {
+    let mut it = behind_first(a.iter().copied());
+    let mut sum = it.next().unwrap_or(3);
+    if n % 2 == 0 {
+        sum = sum.wrapping_mul(5) ^ it.next().unwrap_or(7);
+    }
+    it.fold(sum, |sum, x| sum.wrapping_mul(3) ^ x)
+}
