@@ -9,11 +9,13 @@ use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::estimate::{self, Estimate};
 use bessemer_codegen::generate;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 use crate::calls::Calls;
 use crate::change::Change;
 use crate::coverage::Report;
 use crate::evidence::Evidence;
+use crate::graph;
 use crate::requirements::Matrix;
 use crate::trace::Folder;
 
@@ -143,6 +145,8 @@ pub struct Entry {
     pub left: Vec<[String; 3]>,
     /// Number of functions that it reaches.
     pub reached: usize,
+    /// Picture of the calls below it as SVG; none if it calls nothing.
+    pub graph: Option<String>,
 }
 
 /// A function of the C.
@@ -234,10 +238,20 @@ pub fn grouped(number: u64) -> String {
 /// Returns components, structs and enums of an interface.
 pub fn types(
     compiled: &Compiled,
+    folder: &Folder,
     calls: &Calls,
     estimates: &[Estimate],
 ) -> (Vec<Component>, Vec<Component>, Vec<Enum>) {
     let face = &compiled.interface;
+    let places: Vec<(&str, String)> = folder
+        .files
+        .iter()
+        .flat_map(|file| {
+            let place = |line| format!("{}:{line}", file.name);
+            file.functions.iter().map(move |it| (&*it.name, place(it.line)))
+        })
+        .collect();
+    let places = places.iter().map(|(name, place)| (*name, &**place)).collect();
     let structure = |it: &bessemer_backend::c::interface::Struct| Component {
         name: it.name.clone(),
         rust: it.rust.clone(),
@@ -249,7 +263,7 @@ pub fn types(
             .iter()
             .map(|it| field(&it.name, &it.value, it.offset.int_enums.to_string(), &it.docs))
             .collect(),
-        entries: entries(compiled, &it.name, calls, estimates),
+        entries: entries(compiled, &it.name, calls, &places, estimates),
     };
     let (components, structs): (Vec<_>, Vec<_>) = face
         .structs
@@ -271,7 +285,13 @@ pub fn types(
     )
 }
 
-fn entries(compiled: &Compiled, state: &str, calls: &Calls, estimates: &[Estimate]) -> Vec<Entry> {
+fn entries(
+    compiled: &Compiled,
+    state: &str,
+    calls: &Calls,
+    places: &BTreeMap<&str, &str>,
+    estimates: &[Estimate],
+) -> Vec<Entry> {
     let reports = compiled.entries.iter().filter(|it| it.state == state);
     let entry = |report: &bessemer_backend::c::EntryReport| {
         let face = compiled.interface.entries.iter().find(|it| it.name == report.entry);
@@ -294,6 +314,7 @@ fn entries(compiled: &Compiled, state: &str, calls: &Calls, estimates: &[Estimat
             cycles: cycles.collect(),
             left: left.into_iter().map(|it| [it.place, it.fault.to_owned(), it.reason]).collect(),
             reached: calls.reached(&report.entry).len(),
+            graph: graph::picture(calls, &report.entry, places),
         }
     };
     reports.map(entry).collect()

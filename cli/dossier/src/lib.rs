@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`scan`] | functions, statements and decisions of a C file |
 //! | [`trace`] | counterparts of lines of C and of Rust |
-//! | [`calls`] | calls between the functions of the C |
+//! | [`calls`], [`graph`] | calls between the functions of the C, and pictures of them |
 //! | [`requirements`] | requirements, and what belongs to each |
 //! | [`coverage`] | instrumented C, and the measures of its runs |
 //! | [`change`] | parts of the C that changed between two versions |
@@ -20,6 +20,7 @@ pub mod change;
 pub mod content;
 pub mod coverage;
 pub mod evidence;
+pub mod graph;
 pub mod manifest;
 pub mod output;
 pub mod page;

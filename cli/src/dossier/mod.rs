@@ -211,7 +211,7 @@ fn content(
     estimates: &[Estimate],
     matrix: Matrix,
 ) -> Content {
-    let (components, structs, enums) = content::types(compiled, calls, estimates);
+    let (components, structs, enums) = content::types(compiled, c, calls, estimates);
     let number = |it: u64| it.to_string();
     let weights = estimate::WEIGHTS.map(|(_, name, instructions, a9, m4f)| {
         [name.to_owned(), number(instructions), number(a9), number(m4f)]

@@ -124,6 +124,7 @@ mod tests {
             cycles: vec![["Cortex-A9".to_owned(), "2".to_owned()]],
             left: vec![["src/lib.rs:1:1".to_owned(), "index".to_owned(), "why".to_owned()]],
             reached: 1,
+            graph: Some("<svg></svg>".to_owned()),
         };
         let component = crate::content::Component {
             name: "motor_t".to_owned(),
@@ -160,9 +161,15 @@ mod tests {
         for (anchor, _) in SECTIONS {
             assert_eq!(page.matches(&format!("<h2 id=\"{anchor}\"")).count(), 1, "{anchor}");
         }
-        for text in
-            ["a &lt; b", "3 / 4", "verdict not-run", "0 … 5", "2 cycles on Cortex-A9", "ab12"]
-        {
+        for text in [
+            "a &lt; b",
+            "3 / 4",
+            "verdict not-run",
+            "0 … 5",
+            "2 cycles on Cortex-A9",
+            "ab12",
+            "<svg></svg>",
+        ] {
             assert!(page.contains(text), "{text}");
         }
         for text in ["http:", "https:", "<link", "src=\"", "{{", "{%"] {
