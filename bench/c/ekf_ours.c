@@ -11,6 +11,7 @@
 static navigation_t navigation;
 static navigation_step_work_t work;
 
+
 void start(const real spread[STATES])
 {
     navigation_init(&navigation);

@@ -22,7 +22,7 @@ pub struct Inertial {
 
 /// The state after one period, s: position and velocity, north, east and down; roll, pitch and yaw, rad; bias, rad/s.
 #[function]
-pub fn advanced(state: &SVector<f64, 12>, inertial: &Inertial, period: f64) -> SVector<f64, 12> {
+fn advanced(state: &SVector<f64, 12>, inertial: &Inertial, period: f64) -> SVector<f64, 12> {
     let (sin_roll, cos_roll) = state[6].sin_cos();
     let (sin_pitch, cos_pitch) = state[7].sin_cos();
     let (sin_yaw, cos_yaw) = state[8].sin_cos();
@@ -54,13 +54,14 @@ pub fn advanced(state: &SVector<f64, 12>, inertial: &Inertial, period: f64) -> S
     next
 }
 
-/// The state after one period, and its Jacobian.
+/// The state after one period; `covariance` becomes the covariance of its errors.
 #[function(derivative(advanced, state))]
-pub fn linearized(
+fn predicted(
     state: &SVector<f64, 12>,
     inertial: &Inertial,
     period: f64,
-) -> (SVector<f64, 12>, SMatrix<f64, 12, 12>) {
+    covariance: &mut Symmetric<f64, 12>,
+) -> SVector<f64, 12> {
     todo!()
 }
 
@@ -86,26 +87,17 @@ impl Navigation {
     /// Predicts one period, s, and corrects by a measured position, m, and velocity, m/s; returns true if it was accepted.
     #[entry(infallible)]
     pub fn step(&mut self, inertial: &Inertial, period: f64, measured: &SVector<f64, 6>) -> bool {
-        let (next, jacobian) = linearized(&self.state, inertial, period);
-        self.state = next;
-        self.covariance.congruence(&jacobian);
-        let mut noise = SVector::<f64, 12>::zeros();
+        self.state = predicted(&self.state, inertial, period, &mut self.covariance);
         for axis in 0..3 {
-            noise[axis + 3] = 0.01 * period;
-            noise[axis + 6] = 1e-5 * period;
-            noise[axis + 9] = 1e-8 * period;
+            self.covariance.elements[(axis + 3, axis + 3)] += 0.01 * period;
+            self.covariance.elements[(axis + 6, axis + 6)] += 1e-5 * period;
+            self.covariance.elements[(axis + 9, axis + 9)] += 1e-8 * period;
         }
-        self.covariance.add_diagonal(&noise);
 
-        let mut accepted = true;
-        for index in 0..6 {
-            let variance = if index < 3 { 0.25 } else { 0.01 };
-            let innovation = measured[index] - self.state[index];
-            let report = self
-                .covariance
-                .correct_element(&mut self.state, index, innovation, variance, GATE);
-            accepted = accepted && report.status == Status::Corrected;
-        }
-        accepted
+        let innovation = measured - self.state.fixed_rows::<6>(0);
+        let variances = SVector::from([0.25, 0.25, 0.25, 0.01, 0.01, 0.01]);
+        let report =
+            self.covariance.correct_part::<0, 6>(&mut self.state, &innovation, &variances, GATE);
+        report.status == Status::Corrected
     }
 }

@@ -11,8 +11,8 @@ use crate::{Correction, Status};
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Symmetric<T: Real, const N: usize> {
-    /// Elements; symmetric to the last bit.
-    pub(crate) elements: SMatrix<T, N, N>,
+    /// Elements; symmetric to the last bit. Code that writes one writes the one that mirrors it.
+    pub elements: SMatrix<T, N, N>,
 }
 
 impl<T: Real, const N: usize> Default for Symmetric<T, N> {
@@ -199,6 +199,113 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
                 let value = self.elements[(row, col)] - gain * spread[col];
                 self.elements[(row, col)] = value;
                 self.elements[(col, row)] = value;
+            }
+        }
+        Correction { surprise, status: Status::Corrected }
+    }
+
+    /// Corrects by `M` elements of the state from `FIRST` on, at most eight, whose errors are independent and have these
+    /// variances. In the C it needs a state of three numbers or more. With H P Hᵀ + R = L Lᵀ and Y = L⁻¹ H P, P loses Yᵀ Y and the state gains Yᵀ L⁻¹ ν.
+    pub fn correct_part<const FIRST: usize, const M: usize>(
+        &mut self,
+        state: &mut SVector<T, N>,
+        innovation: &SVector<T, M>,
+        variances: &SVector<T, M>,
+        gate: T,
+    ) -> Correction<T> {
+        // L below its diagonal: row m from m² / 2 on. `scales` has the reciprocals of the diagonal.
+        let mut factor = [T::ZERO; 31];
+        let mut scales = *innovation;
+        let mut scaled = *innovation;
+        let mut surprise = T::ZERO;
+        #[unroll(8)]
+        for m in 0..M {
+            let mut square = self.elements[(FIRST + m, FIRST + m)] + variances[m];
+            let mut rest = innovation[m];
+            #[unroll(8)]
+            for before in 0..m {
+                let mut sum = self.elements[(FIRST + before, FIRST + m)];
+                #[unroll(8)]
+                for k in 0..before {
+                    sum -= factor[before * before / 2 + k] * factor[m * m / 2 + k];
+                }
+                sum *= scales[before];
+                factor[m * m / 2 + before] = sum;
+                square -= sum * sum;
+                rest -= sum * scaled[before];
+            }
+            if !(square > T::ZERO) {
+                return Correction { surprise: T::ZERO, status: Status::Lost };
+            }
+            // Of a number that is positive: so compilers need no case for others.
+            scales[m] = T::ONE / square.abs().sqrt();
+            scaled[m] = rest * scales[m];
+            surprise += scaled[m] * scaled[m];
+        }
+        if !(surprise <= gate) {
+            return Correction { surprise, status: Status::Rejected };
+        }
+
+        let mut rows = SMatrix::<T, M, N>::zeros();
+        for n in 0..N {
+            let mut variance = self.elements[(n, n)];
+            #[unroll(8)]
+            for m in 0..M {
+                let mut sum = self.elements[(FIRST + m, n)];
+                #[unroll(8)]
+                for k in 0..m {
+                    sum -= factor[m * m / 2 + k] * rows[(k, n)];
+                }
+                sum *= scales[m];
+                rows[(m, n)] = sum;
+                variance -= sum * sum;
+            }
+            if !(variance > T::ZERO) {
+                return Correction { surprise, status: Status::Lost };
+            }
+        }
+
+        for row in 0..N % 3 {
+            for m in 0..M {
+                state[row] += rows[(m, row)] * scaled[m];
+            }
+            for col in 0..=row {
+                let mut value = self.elements[(row, col)];
+                for m in 0..M {
+                    value -= rows[(m, row)] * rows[(m, col)];
+                }
+                self.elements[(row, col)] = value;
+                self.elements[(col, row)] = value;
+            }
+        }
+        // Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same order.
+        for block in 0..N / 3 {
+            let row = N % 3 + 3 * block;
+            #[unroll(8)]
+            for m in 0..M {
+                #[unroll(3)]
+                for k in 0..3 {
+                    state[row + k] += rows[(m, row + k)] * scaled[m];
+                }
+            }
+            for col in 0..row + 3 {
+                let mut one = self.elements[(row, col)];
+                let mut two = self.elements[(row + 1, col)];
+                let mut three = self.elements[(row + 2, col)];
+                #[unroll(8)]
+                for m in 0..M {
+                    one -= rows[(m, row)] * rows[(m, col)];
+                    two -= rows[(m, row + 1)] * rows[(m, col)];
+                    three -= rows[(m, row + 2)] * rows[(m, col)];
+                }
+                self.elements[(row, col)] = one;
+                self.elements[(row + 1, col)] = two;
+                self.elements[(row + 2, col)] = three;
+                if col < row {
+                    self.elements[(col, row)] = one;
+                    self.elements[(col, row + 1)] = two;
+                    self.elements[(col, row + 2)] = three;
+                }
             }
         }
         Correction { surprise, status: Status::Corrected }

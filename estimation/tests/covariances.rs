@@ -15,25 +15,178 @@ fn transition(step: usize) -> SMatrix<f64, 4, 4> {
     f
 }
 
-/// The difference of the triangles of a full matrix grows with each step; here there is none.
+/// The difference of the triangles of a full matrix grows with each step; here there is none. The reference has 106 bits.
 #[test]
-fn many_steps_stay_symmetric_and_positive() {
+fn many_steps_stay_symmetric_positive_and_exact() {
     let steps = if std::env::var_os("BESSEMER_FULL").is_some() { 1_000_000 } else { 20_000 };
     let mut state = SVector::<f64, 4>::zeros();
-    let mut covariance = Symmetric::diagonal(&SVector::from([1.0, 4.0, 0.5, 2.0]));
+    let variances = [1.0, 4.0, 0.5, 2.0];
+    let mut covariance = Symmetric::diagonal(&SVector::from(variances));
+    let mut reference = Reference::diagonal(variances);
     for step in 0..steps {
+        let noise = [1e-9, 1e-9, 1e-6, 1e-6];
         covariance.congruence(&transition(step));
-        covariance.add_diagonal(&SVector::from([1e-9, 1e-9, 1e-6, 1e-6]));
+        covariance.add_diagonal(&SVector::from(noise));
+        reference.predict(&transition(step), noise);
+        // By one number, by a number at an index, by two at once and by two of the state, in turn.
         let mut row = SVector::<f64, 4>::zeros();
         row[step % 2] = 1.0;
-        let report = covariance.correct(&mut state, &row, 1e-3, 1e-4, 100.0);
+        let report = match step % 4 {
+            0 => covariance.correct(&mut state, &row, 1e-3, 1e-4, 100.0),
+            1 => covariance.correct_element(&mut state, 1, 1e-3, 1e-4, 100.0),
+            2 => {
+                let jacobian = SMatrix::<f64, 2, 4>::identity();
+                let noise = Symmetric::diagonal(&SVector::from([1e-4; 2]));
+                let innovation = SVector::from([1e-3; 2]);
+                covariance.correct_jointly(&mut state, &jacobian, &innovation, &noise, 100.0)
+            }
+            _ => {
+                let (innovation, variances) = (SVector::from([1e-3; 2]), SVector::from([1e-4; 2]));
+                covariance.correct_part::<0, 2>(&mut state, &innovation, &variances, 100.0)
+            }
+        };
         assert_eq!(report.status, Status::Corrected, "step {step}");
+        match step % 4 {
+            0 | 1 => reference.correct(step % 2, 1e-4),
+            _ => (0..2).for_each(|index| reference.correct(index, 1e-4)),
+        }
     }
     let matrix = covariance.matrix();
     assert_eq!(*matrix, matrix.transpose());
     assert!(covariance.is_plausible());
+    let error = reference.error(matrix);
+    println!("after {steps} steps the relative error is {error:.1e}");
+    assert!(error < 1e-12, "{error:e}");
     let least = SymmetricEigen::<f64, Const<4>>::new(*matrix).eigenvalues.min();
     assert!(least > 0.0, "{least:e}");
+}
+
+/// A number of 106 bits: the sum of two.
+#[derive(Clone, Copy)]
+struct Long(f64, f64);
+
+impl Long {
+    fn of(high: f64, low: f64) -> Long {
+        let sum = high + low;
+        Long(sum, low - (sum - high))
+    }
+
+    fn plus(self, other: Long) -> Long {
+        let sum = self.0 + other.0;
+        let part = sum - self.0;
+        let rest = (self.0 - (sum - part)) + (other.0 - part);
+        Long::of(sum, rest + self.1 + other.1)
+    }
+
+    fn times(self, other: Long) -> Long {
+        let product = self.0 * other.0;
+        let rest = self.0.mul_add(other.0, -product);
+        Long::of(product, rest + self.0 * other.1 + self.1 * other.0)
+    }
+
+    fn over(self, other: Long) -> Long {
+        let first = self.0 / other.0;
+        let rest = self.plus(other.times(Long(-first, 0.0)));
+        Long::of(first, rest.0 / other.0)
+    }
+}
+
+/// A covariance of 106 bits, by the definition of each step.
+struct Reference([[Long; 4]; 4]);
+
+impl Reference {
+    fn diagonal(variances: [f64; 4]) -> Reference {
+        let at = |row, col| Long(if row == col { variances[row] } else { 0.0 }, 0.0);
+        Reference([0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|col| at(row, col))))
+    }
+
+    fn predict(&mut self, f: &SMatrix<f64, 4, 4>, noise: [f64; 4]) {
+        let sum = |row: usize, term: &dyn Fn(usize) -> Long| {
+            let terms = (0..4).map(|k| Long(f[(row, k)], 0.0).times(term(k)));
+            terms.fold(Long(0.0, 0.0), Long::plus)
+        };
+        let p = &self.0;
+        let half = [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|col| sum(row, &|k| p[k][col])));
+        let whole = [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|col| sum(col, &|k| half[row][k])));
+        self.0 = whole;
+        for (n, variance) in noise.into_iter().enumerate() {
+            self.0[n][n] = self.0[n][n].plus(Long(variance, 0.0));
+        }
+    }
+
+    fn correct(&mut self, index: usize, variance: f64) {
+        let p = self.0;
+        let expected = p[index][index].plus(Long(variance, 0.0));
+        for row in 0..4 {
+            let gain = p[row][index].over(expected);
+            for (col, spread) in p[index].into_iter().enumerate() {
+                let loss = gain.times(spread);
+                self.0[row][col] = p[row][col].plus(Long(-loss.0, -loss.1));
+            }
+        }
+    }
+
+    /// Returns the largest difference from a matrix, relative to its largest element.
+    fn error(&self, matrix: &SMatrix<f64, 4, 4>) -> f64 {
+        let all = (0..4).flat_map(|row| (0..4).map(move |col| (row, col)));
+        let far = |(row, col): (usize, usize)| {
+            self.0[row][col].plus(Long(-matrix[(row, col)], 0.0)).0.abs()
+        };
+        all.map(far).fold(0.0, f64::max) / matrix.amax()
+    }
+}
+
+/// A correction by a part of the state equals the joint one, for every number of states and of measured ones.
+#[test]
+fn a_part_is_corrected_as_jointly() {
+    fn agree<const FIRST: usize, const M: usize, const N: usize>() {
+        let mut prior = Symmetric::<f64, N>::default();
+        for row in 0..N {
+            for col in 0..=row {
+                let coupled = 0.1 / (1.0 + (row - col) as f64);
+                prior.set(row, col, if row == col { 1.0 + row as f64 } else { coupled });
+            }
+        }
+        let mut jacobian = SMatrix::<f64, M, N>::zeros();
+        let (mut innovation, mut variances) = (SVector::<f64, M>::zeros(), SVector::zeros());
+        for m in 0..M {
+            jacobian[(m, FIRST + m)] = 1.0;
+            innovation[m] = 0.3 - 0.1 * m as f64;
+            variances[m] = 0.5 + 0.25 * m as f64;
+        }
+        let (mut part, mut of_part) = (prior, SVector::zeros());
+        let (mut joint, mut of_joint) = (prior, SVector::zeros());
+        let noise = Symmetric::diagonal(&variances);
+        let found = part.correct_part::<FIRST, M>(&mut of_part, &innovation, &variances, 50.0);
+        let wanted = joint.correct_jointly(&mut of_joint, &jacobian, &innovation, &noise, 50.0);
+        assert_eq!(found.status, Status::Corrected);
+        assert!((found.surprise - wanted.surprise).abs() < 1e-13, "{N}: {found:?}");
+        assert!((of_part - of_joint).amax() < 1e-13, "{N}: {of_part}");
+        assert!((part.matrix() - joint.matrix()).amax() < 1e-13, "{N}: {}", part.matrix());
+        assert_eq!(part.matrix().transpose(), *part.matrix(), "{N}");
+
+        // One that is refused changes nothing.
+        let mut refused = part;
+        for (variance, gate, status) in [
+            (1.0, -1.0, Status::Rejected),
+            (-100.0, 50.0, Status::Lost),
+            (f64::NAN, 50.0, Status::Lost),
+        ] {
+            let mut state = of_part;
+            let variances = SVector::repeat(variance);
+            let report =
+                refused.correct_part::<FIRST, M>(&mut state, &innovation, &variances, gate);
+            assert_eq!((report.status, state, refused), (status, of_part, part), "{N}: {variance}");
+        }
+    }
+    agree::<0, 1, 1>();
+    agree::<0, 2, 2>();
+    agree::<1, 2, 3>();
+    agree::<2, 1, 4>();
+    agree::<0, 5, 5>();
+    agree::<1, 3, 7>();
+    agree::<0, 6, 12>();
+    agree::<4, 8, 13>();
 }
 
 /// Corrections one by one, jointly and by factors give one covariance, one state and one surprise.

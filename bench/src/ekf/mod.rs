@@ -110,8 +110,9 @@ fn generate_peers(folder: &Path) -> Result<(), String> {
 /// Emits the C of the filter; returns its sources, with true for those of elementary functions.
 fn emitted(machine: &Machine, folder: &Path) -> Result<Vec<(PathBuf, bool)>, String> {
     let failed = |error: std::io::Error| error.to_string();
-    let source = include_str!("../../ekf/filter.rs");
-    let text = if machine.single { source.replace("f64", "f32") } else { source.to_owned() };
+    let source = bessemer_tests::root().join("bench/ekf/filter.rs");
+    let source = std::fs::read_to_string(source).map_err(failed)?;
+    let text = if machine.single { source.replace("f64", "f32") } else { source };
     let workspace = Workspace::with_source(&text).map_err(failed)?;
     let edit = |path: PathBuf, from: &str, to: &str| {
         let text = std::fs::read_to_string(&path)?;

@@ -14,6 +14,7 @@
 
 mod clean;
 mod control;
+mod covariance;
 mod expression;
 mod fold;
 mod join;
@@ -106,8 +107,9 @@ fn check(module: &Module, request: &Request) -> Result<()> {
     }
     let fits =
         |(a, b): (&bessemer_ir::Local, &bessemer_ir::Local)| a.ty == b.ty && a.mode == b.mode;
-    let pairs = of.parameters().iter().zip(into.parameters());
-    if of.params != into.params || !pairs.into_iter().all(fits) {
+    let mut pairs = of.parameters().iter().zip(into.parameters());
+    let propagates = covariance(module, request).is_some();
+    if of.params + u32::from(propagates) != into.params || !pairs.all(fits) {
         return Err(Problem::new(
             into.span,
             format!("`{}` does not have the parameters of `{}`", into.name, of.name),
@@ -133,6 +135,9 @@ fn check(module: &Module, request: &Request) -> Result<()> {
         };
         expected.push(jacobian(float, rows, cols));
     }
+    if let Some(covariance) = covariance(module, request) {
+        return propagation(module, request, covariance, rows);
+    }
     let declared: Vec<Type> = match &into.result {
         Type::Struct(id) => {
             module.structs[id.index()].fields.iter().map(|field| field.ty.clone()).collect()
@@ -152,6 +157,68 @@ fn check(module: &Module, request: &Request) -> Result<()> {
         ));
     }
     Ok(())
+}
+
+/// Returns the parameter that a derivative has besides those of its function: a covariance that it propagates.
+fn covariance<'m>(module: &'m Module, request: &Request) -> Option<&'m bessemer_ir::Local> {
+    let of = &module.functions[request.of.index()];
+    let more = module.functions[request.into.index()].parameters().get(of.params as usize..)?;
+    more.first().filter(|it| more.len() == 1 && it.mode == Mode::RefMut)
+}
+
+/// Checks the signature of a function that propagates a covariance.
+fn propagation(
+    module: &Module,
+    request: &Request,
+    covariance: &bessemer_ir::Local,
+    rows: u32,
+) -> Result<()> {
+    let of = &module.functions[request.of.index()];
+    let into = &module.functions[request.into.index()];
+    let [by] = request.by.as_slice() else {
+        return Err(Problem::new(
+            into.span,
+            format!("`{}` propagates a covariance by several parameters", into.name),
+            "name the state alone: `derivative(advanced, state)`",
+        ));
+    };
+    let state = &of.parameters()[*by];
+    if variables(module, &state.ty).is_none_or(|it| it.1 != rows) {
+        return Err(Problem::new(
+            into.span,
+            format!("the result of `{}` is no state of the size of `{}`", of.name, state.name),
+            "propagate a covariance by a function that returns the next state",
+        ));
+    }
+    let root = bessemer_ir::LocalId(of.params);
+    let found = covariance::elements(module, root, &covariance.ty, rows, into.span);
+    let float = variables(module, &of.result).map(|it| Type::Scalar(Scalar::Float(it.0)));
+    if found.is_none_or(|it| Some(it.1) != float) {
+        return Err(Problem::new(
+            into.span,
+            format!(
+                "`{}` is no covariance of the {rows} numbers of `{}`",
+                covariance.name, of.name
+            ),
+            format!("write `{}: &mut Symmetric<{}, {rows}>`", covariance.name, name_of(float)),
+        ));
+    }
+    if into.result != of.result {
+        let result = rust::type_name(module, &of.result, &into.module);
+        return Err(Problem::new(
+            into.span,
+            format!(
+                "`{}` propagates a covariance, and has another result than `{}`",
+                into.name, of.name
+            ),
+            format!("write `-> {result}`"),
+        ));
+    }
+    Ok(())
+}
+
+fn name_of(ty: Option<Type>) -> &'static str {
+    ty.and_then(|ty| ty.as_float()).unwrap_or(Float::F64).name()
 }
 
 /// Returns a literal float.

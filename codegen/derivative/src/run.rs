@@ -8,6 +8,7 @@ use bessemer_ir::{
     Step, Stmt, StmtKind, Type,
 };
 
+use crate::covariance::elements;
 use crate::value::{Tangents, Value, Word};
 use crate::{Request, Result, float, jacobian};
 
@@ -88,7 +89,7 @@ impl<'m> Run<'m> {
         let mut env = Env { passes: 1, ..Env::default() };
         let mut first = 0;
         let mut starts = vec![];
-        for (index, parameter) in into.parameters().iter().enumerate() {
+        for (index, parameter) in into.parameters().iter().enumerate().take(of.params as usize) {
             let id = LocalId(index as u32);
             let mut value = Value::at(Place::local(id, parameter.ty.clone(), span));
             if request.by.contains(&index) {
@@ -107,6 +108,14 @@ impl<'m> Run<'m> {
         let result = self.function(of, env)?.result.unwrap_or(Value::Parts(Vec::new()));
         let words = result.words(module);
         let value = self.aggregate(&of.result, words.iter().map(|word| word.value.clone()));
+        if let Some(covariance) = crate::covariance(module, request) {
+            let (root, size) = (LocalId(of.params), words.len() as u32);
+            if let Some(place) = elements(module, root, &covariance.ty, size, span) {
+                self.propagate(&words, place, span)?;
+            }
+            self.emit(StmtKind::Return(Some(value)), span);
+            return Ok(Block(std::mem::take(&mut self.out)));
+        }
         let mut fields = vec![value];
         for index in &request.by {
             let Some((_, range)) = starts.iter().find(|it| it.0 == *index) else { continue };

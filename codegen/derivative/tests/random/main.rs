@@ -5,6 +5,7 @@
 //! A derivative that is known to be zero is not computed, where dual numbers add a zero: the sign of a zero may differ, and
 //! a function that meets an infinity or NaN is left out. At least half of the calls must remain.
 
+mod covariance;
 mod dual;
 mod programs;
 

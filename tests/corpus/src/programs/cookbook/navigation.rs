@@ -1,16 +1,16 @@
 //! An extended Kalman filter of twelve states: position, velocity, attitude and the bias of the gyro.
 //!
-//! The Jacobian of its prediction is a derivative that the generator writes. `bessemer-estimation` keeps the covariance symmetric,
-//! and rejects a measurement that is far from the estimate.
+//! The generator differentiates the prediction, and writes how it changes the covariance: only elements of the Jacobian that are neither
+//! zero nor one are computed. `bessemer-estimation` corrects by six numbers at once, and rejects a measurement that is far from the estimate.
 
 use bessemer::prelude::*;
-use bessemer_estimation::{Status, Symmetric};
+use bessemer_estimation::{Correction, Symmetric};
 
 /// Acceleration of gravity, m/s².
 const GRAVITY: f64 = 9.81;
 
-/// Surprise above which a number is rejected: 5 standard deviations.
-const GATE: f64 = 25.0;
+/// Surprise above which a measurement of six numbers is rejected: one in a billion.
+const GATE: f64 = 52.0;
 
 /// An inertial measurement.
 #[data]
@@ -56,13 +56,14 @@ pub fn advanced(state: &SVector<f64, 12>, inertial: &Inertial, period: f64) -> S
     next
 }
 
-/// The state after one period, and its Jacobian.
+/// The state after one period; `covariance` becomes the covariance of its errors.
 #[function(derivative(advanced, state))]
-pub fn linearized(
+fn predicted(
     state: &SVector<f64, 12>,
     inertial: &Inertial,
     period: f64,
-) -> (SVector<f64, 12>, SMatrix<f64, 12, 12>) {
+    covariance: &mut Symmetric<f64, 12>,
+) -> SVector<f64, 12> {
     let sin_state_6 = state[6].sin();
     let cos_state_6 = state[6].cos();
     let slope = -sin_state_6;
@@ -136,42 +137,128 @@ pub fn linearized(
     let next_d7_5 = period * turn_d7;
     let next_d10_3 = period * turn_d10;
     let next_d11_3 = period * turn_d11;
-    let mut jacobian: SMatrix<f64, 12, 12> = SMatrix::zeros();
-    jacobian[(0, 0)] = 1.0;
-    jacobian[(0, 3)] = period;
-    jacobian[(1, 1)] = 1.0;
-    jacobian[(1, 4)] = period;
-    jacobian[(2, 2)] = 1.0;
-    jacobian[(2, 5)] = period;
-    jacobian[(3, 3)] = 1.0;
-    jacobian[(3, 6)] = next_d6;
-    jacobian[(3, 7)] = next_d7;
-    jacobian[(3, 8)] = next_d8;
-    jacobian[(4, 4)] = 1.0;
-    jacobian[(4, 6)] = next_d6_3;
-    jacobian[(4, 7)] = next_d7_3;
-    jacobian[(4, 8)] = next_d8_2;
-    jacobian[(5, 5)] = 1.0;
-    jacobian[(5, 6)] = next_d6_5;
-    jacobian[(5, 7)] = next_d7_4;
-    jacobian[(6, 6)] = next_d6_2;
-    jacobian[(6, 7)] = next_d7_2;
-    jacobian[(6, 9)] = next_d9;
-    jacobian[(6, 10)] = next_d10;
-    jacobian[(6, 11)] = next_d11;
-    jacobian[(7, 6)] = next_d6_4;
-    jacobian[(7, 7)] = 1.0;
-    jacobian[(7, 10)] = next_d10_2;
-    jacobian[(7, 11)] = next_d11_2;
-    jacobian[(8, 6)] = next_d6_6;
-    jacobian[(8, 7)] = next_d7_5;
-    jacobian[(8, 8)] = 1.0;
-    jacobian[(8, 10)] = next_d10_3;
-    jacobian[(8, 11)] = next_d11_3;
-    jacobian[(9, 9)] = 1.0;
-    jacobian[(10, 10)] = 1.0;
-    jacobian[(11, 11)] = 1.0;
-    (vector![next, next_4, next_7, next_2, next_5, next_8, next_3, next_6, next_9, state[9], state[10], state[11]], jacobian)
+    let row_0_0 = covariance.elements[(0, 0)] + period * covariance.elements[(3, 0)];
+    let row_0_1 = covariance.elements[(0, 1)] + period * covariance.elements[(3, 1)];
+    let row_0_2 = covariance.elements[(0, 2)] + period * covariance.elements[(3, 2)];
+    let row_1_1 = covariance.elements[(1, 1)] + period * covariance.elements[(4, 1)];
+    let row_1_2 = covariance.elements[(1, 2)] + period * covariance.elements[(4, 2)];
+    let row_2_2 = covariance.elements[(2, 2)] + period * covariance.elements[(5, 2)];
+    for k in 3..12 {
+        let row_0 = covariance.elements[(0, k)] + period * covariance.elements[(3, k)];
+        let row_1 = covariance.elements[(1, k)] + period * covariance.elements[(4, k)];
+        let row_2 = covariance.elements[(2, k)] + period * covariance.elements[(5, k)];
+        covariance.elements[(0, k)] = row_0;
+        covariance.elements[(k, 0)] = row_0;
+        covariance.elements[(1, k)] = row_1;
+        covariance.elements[(k, 1)] = row_1;
+        covariance.elements[(2, k)] = row_2;
+        covariance.elements[(k, 2)] = row_2;
+    }
+    let block_0_0 = row_0_0 + period * covariance.elements[(0, 3)];
+    covariance.elements[(0, 0)] = block_0_0;
+    let block_1_0 = row_0_1 + period * covariance.elements[(0, 4)];
+    covariance.elements[(1, 0)] = block_1_0;
+    covariance.elements[(0, 1)] = block_1_0;
+    let block_1_1 = row_1_1 + period * covariance.elements[(1, 4)];
+    covariance.elements[(1, 1)] = block_1_1;
+    let block_2_0 = row_0_2 + period * covariance.elements[(0, 5)];
+    covariance.elements[(2, 0)] = block_2_0;
+    covariance.elements[(0, 2)] = block_2_0;
+    let block_2_1 = row_1_2 + period * covariance.elements[(1, 5)];
+    covariance.elements[(2, 1)] = block_2_1;
+    covariance.elements[(1, 2)] = block_2_1;
+    let block_2_2 = row_2_2 + period * covariance.elements[(2, 5)];
+    covariance.elements[(2, 2)] = block_2_2;
+    let row_3_3 = covariance.elements[(3, 3)] + next_d6 * covariance.elements[(6, 3)] + next_d7 * covariance.elements[(7, 3)] + next_d8 * covariance.elements[(8, 3)];
+    let row_3_4 = covariance.elements[(3, 4)] + next_d6 * covariance.elements[(6, 4)] + next_d7 * covariance.elements[(7, 4)] + next_d8 * covariance.elements[(8, 4)];
+    let row_3_5 = covariance.elements[(3, 5)] + next_d6 * covariance.elements[(6, 5)] + next_d7 * covariance.elements[(7, 5)] + next_d8 * covariance.elements[(8, 5)];
+    let row_4_4 = covariance.elements[(4, 4)] + next_d6_3 * covariance.elements[(6, 4)] + next_d7_3 * covariance.elements[(7, 4)] + next_d8_2 * covariance.elements[(8, 4)];
+    let row_4_5 = covariance.elements[(4, 5)] + next_d6_3 * covariance.elements[(6, 5)] + next_d7_3 * covariance.elements[(7, 5)] + next_d8_2 * covariance.elements[(8, 5)];
+    let row_5_5 = covariance.elements[(5, 5)] + next_d6_5 * covariance.elements[(6, 5)] + next_d7_4 * covariance.elements[(7, 5)];
+    for k_2 in 0..3 {
+        let row_3 = covariance.elements[(3, k_2)] + next_d6 * covariance.elements[(6, k_2)] + next_d7 * covariance.elements[(7, k_2)] + next_d8 * covariance.elements[(8, k_2)];
+        let row_4 = covariance.elements[(4, k_2)] + next_d6_3 * covariance.elements[(6, k_2)] + next_d7_3 * covariance.elements[(7, k_2)] + next_d8_2 * covariance.elements[(8, k_2)];
+        let row_5 = covariance.elements[(5, k_2)] + next_d6_5 * covariance.elements[(6, k_2)] + next_d7_4 * covariance.elements[(7, k_2)];
+        covariance.elements[(3, k_2)] = row_3;
+        covariance.elements[(k_2, 3)] = row_3;
+        covariance.elements[(4, k_2)] = row_4;
+        covariance.elements[(k_2, 4)] = row_4;
+        covariance.elements[(5, k_2)] = row_5;
+        covariance.elements[(k_2, 5)] = row_5;
+    }
+    for k_3 in 6..12 {
+        let row_3_2 = covariance.elements[(3, k_3)] + next_d6 * covariance.elements[(6, k_3)] + next_d7 * covariance.elements[(7, k_3)] + next_d8 * covariance.elements[(8, k_3)];
+        let row_4_2 = covariance.elements[(4, k_3)] + next_d6_3 * covariance.elements[(6, k_3)] + next_d7_3 * covariance.elements[(7, k_3)] + next_d8_2 * covariance.elements[(8, k_3)];
+        let row_5_2 = covariance.elements[(5, k_3)] + next_d6_5 * covariance.elements[(6, k_3)] + next_d7_4 * covariance.elements[(7, k_3)];
+        covariance.elements[(3, k_3)] = row_3_2;
+        covariance.elements[(k_3, 3)] = row_3_2;
+        covariance.elements[(4, k_3)] = row_4_2;
+        covariance.elements[(k_3, 4)] = row_4_2;
+        covariance.elements[(5, k_3)] = row_5_2;
+        covariance.elements[(k_3, 5)] = row_5_2;
+    }
+    let block_3_3 = row_3_3 + next_d6 * covariance.elements[(3, 6)] + next_d7 * covariance.elements[(3, 7)] + next_d8 * covariance.elements[(3, 8)];
+    covariance.elements[(3, 3)] = block_3_3;
+    let block_4_3 = row_3_4 + next_d6_3 * covariance.elements[(3, 6)] + next_d7_3 * covariance.elements[(3, 7)] + next_d8_2 * covariance.elements[(3, 8)];
+    covariance.elements[(4, 3)] = block_4_3;
+    covariance.elements[(3, 4)] = block_4_3;
+    let block_4_4 = row_4_4 + next_d6_3 * covariance.elements[(4, 6)] + next_d7_3 * covariance.elements[(4, 7)] + next_d8_2 * covariance.elements[(4, 8)];
+    covariance.elements[(4, 4)] = block_4_4;
+    let block_5_3 = row_3_5 + next_d6_5 * covariance.elements[(3, 6)] + next_d7_4 * covariance.elements[(3, 7)];
+    covariance.elements[(5, 3)] = block_5_3;
+    covariance.elements[(3, 5)] = block_5_3;
+    let block_5_4 = row_4_5 + next_d6_5 * covariance.elements[(4, 6)] + next_d7_4 * covariance.elements[(4, 7)];
+    covariance.elements[(5, 4)] = block_5_4;
+    covariance.elements[(4, 5)] = block_5_4;
+    let block_5_5 = row_5_5 + next_d6_5 * covariance.elements[(5, 6)] + next_d7_4 * covariance.elements[(5, 7)];
+    covariance.elements[(5, 5)] = block_5_5;
+    let row_6_6 = next_d6_2 * covariance.elements[(6, 6)] + next_d7_2 * covariance.elements[(7, 6)] + next_d9 * covariance.elements[(9, 6)] + next_d10 * covariance.elements[(10, 6)] + next_d11 * covariance.elements[(11, 6)];
+    let row_6_7 = next_d6_2 * covariance.elements[(6, 7)] + next_d7_2 * covariance.elements[(7, 7)] + next_d9 * covariance.elements[(9, 7)] + next_d10 * covariance.elements[(10, 7)] + next_d11 * covariance.elements[(11, 7)];
+    let row_6_8 = next_d6_2 * covariance.elements[(6, 8)] + next_d7_2 * covariance.elements[(7, 8)] + next_d9 * covariance.elements[(9, 8)] + next_d10 * covariance.elements[(10, 8)] + next_d11 * covariance.elements[(11, 8)];
+    let row_7_6 = covariance.elements[(7, 6)] + next_d6_4 * covariance.elements[(6, 6)] + next_d10_2 * covariance.elements[(10, 6)] + next_d11_2 * covariance.elements[(11, 6)];
+    let row_7_7 = covariance.elements[(7, 7)] + next_d6_4 * covariance.elements[(6, 7)] + next_d10_2 * covariance.elements[(10, 7)] + next_d11_2 * covariance.elements[(11, 7)];
+    let row_7_8 = covariance.elements[(7, 8)] + next_d6_4 * covariance.elements[(6, 8)] + next_d10_2 * covariance.elements[(10, 8)] + next_d11_2 * covariance.elements[(11, 8)];
+    let row_8_6 = covariance.elements[(8, 6)] + next_d6_6 * covariance.elements[(6, 6)] + next_d7_5 * covariance.elements[(7, 6)] + next_d10_3 * covariance.elements[(10, 6)] + next_d11_3 * covariance.elements[(11, 6)];
+    let row_8_7 = covariance.elements[(8, 7)] + next_d6_6 * covariance.elements[(6, 7)] + next_d7_5 * covariance.elements[(7, 7)] + next_d10_3 * covariance.elements[(10, 7)] + next_d11_3 * covariance.elements[(11, 7)];
+    let row_8_8 = covariance.elements[(8, 8)] + next_d6_6 * covariance.elements[(6, 8)] + next_d7_5 * covariance.elements[(7, 8)] + next_d10_3 * covariance.elements[(10, 8)] + next_d11_3 * covariance.elements[(11, 8)];
+    for k_4 in 0..6 {
+        let row_6 = next_d6_2 * covariance.elements[(6, k_4)] + next_d7_2 * covariance.elements[(7, k_4)] + next_d9 * covariance.elements[(9, k_4)] + next_d10 * covariance.elements[(10, k_4)] + next_d11 * covariance.elements[(11, k_4)];
+        let row_7 = covariance.elements[(7, k_4)] + next_d6_4 * covariance.elements[(6, k_4)] + next_d10_2 * covariance.elements[(10, k_4)] + next_d11_2 * covariance.elements[(11, k_4)];
+        let row_8 = covariance.elements[(8, k_4)] + next_d6_6 * covariance.elements[(6, k_4)] + next_d7_5 * covariance.elements[(7, k_4)] + next_d10_3 * covariance.elements[(10, k_4)] + next_d11_3 * covariance.elements[(11, k_4)];
+        covariance.elements[(6, k_4)] = row_6;
+        covariance.elements[(k_4, 6)] = row_6;
+        covariance.elements[(7, k_4)] = row_7;
+        covariance.elements[(k_4, 7)] = row_7;
+        covariance.elements[(8, k_4)] = row_8;
+        covariance.elements[(k_4, 8)] = row_8;
+    }
+    for k_5 in 9..12 {
+        let row_6_2 = next_d6_2 * covariance.elements[(6, k_5)] + next_d7_2 * covariance.elements[(7, k_5)] + next_d9 * covariance.elements[(9, k_5)] + next_d10 * covariance.elements[(10, k_5)] + next_d11 * covariance.elements[(11, k_5)];
+        let row_7_2 = covariance.elements[(7, k_5)] + next_d6_4 * covariance.elements[(6, k_5)] + next_d10_2 * covariance.elements[(10, k_5)] + next_d11_2 * covariance.elements[(11, k_5)];
+        let row_8_2 = covariance.elements[(8, k_5)] + next_d6_6 * covariance.elements[(6, k_5)] + next_d7_5 * covariance.elements[(7, k_5)] + next_d10_3 * covariance.elements[(10, k_5)] + next_d11_3 * covariance.elements[(11, k_5)];
+        covariance.elements[(6, k_5)] = row_6_2;
+        covariance.elements[(k_5, 6)] = row_6_2;
+        covariance.elements[(7, k_5)] = row_7_2;
+        covariance.elements[(k_5, 7)] = row_7_2;
+        covariance.elements[(8, k_5)] = row_8_2;
+        covariance.elements[(k_5, 8)] = row_8_2;
+    }
+    let block_6_6 = next_d6_2 * row_6_6 + next_d7_2 * row_6_7 + next_d9 * covariance.elements[(6, 9)] + next_d10 * covariance.elements[(6, 10)] + next_d11 * covariance.elements[(6, 11)];
+    covariance.elements[(6, 6)] = block_6_6;
+    let block_7_6 = row_6_7 + next_d6_4 * row_6_6 + next_d10_2 * covariance.elements[(6, 10)] + next_d11_2 * covariance.elements[(6, 11)];
+    covariance.elements[(7, 6)] = block_7_6;
+    covariance.elements[(6, 7)] = block_7_6;
+    let block_7_7 = row_7_7 + next_d6_4 * row_7_6 + next_d10_2 * covariance.elements[(7, 10)] + next_d11_2 * covariance.elements[(7, 11)];
+    covariance.elements[(7, 7)] = block_7_7;
+    let block_8_6 = row_6_8 + next_d6_6 * row_6_6 + next_d7_5 * row_6_7 + next_d10_3 * covariance.elements[(6, 10)] + next_d11_3 * covariance.elements[(6, 11)];
+    covariance.elements[(8, 6)] = block_8_6;
+    covariance.elements[(6, 8)] = block_8_6;
+    let block_8_7 = row_7_8 + next_d6_6 * row_7_6 + next_d7_5 * row_7_7 + next_d10_3 * covariance.elements[(7, 10)] + next_d11_3 * covariance.elements[(7, 11)];
+    covariance.elements[(8, 7)] = block_8_7;
+    covariance.elements[(7, 8)] = block_8_7;
+    let block_8_8 = row_8_8 + next_d6_6 * row_8_6 + next_d7_5 * row_8_7 + next_d10_3 * covariance.elements[(8, 10)] + next_d11_3 * covariance.elements[(8, 11)];
+    covariance.elements[(8, 8)] = block_8_8;
+    vector![next, next_4, next_7, next_2, next_5, next_8, next_3, next_6, next_9, state[9], state[10], state[11]]
 }
 
 /// The filter.
@@ -202,33 +289,19 @@ impl Navigation {
     /// Predicts one period, s.
     #[entry(infallible)]
     pub fn predict(&mut self, inertial: &Inertial, period: f64) {
-        let (next, jacobian) = linearized(&self.state, inertial, period);
-        self.state = next;
-        self.covariance.congruence(&jacobian);
-        let mut noise = SVector::<f64, 12>::zeros();
+        self.state = predicted(&self.state, inertial, period, &mut self.covariance);
         for axis in 0..3 {
-            noise[axis + 3] = 0.01 * period;
-            noise[axis + 6] = 1e-5 * period;
-            noise[axis + 9] = 1e-8 * period;
+            self.covariance.elements[(axis + 3, axis + 3)] += 0.01 * period;
+            self.covariance.elements[(axis + 6, axis + 6)] += 1e-5 * period;
+            self.covariance.elements[(axis + 9, axis + 9)] += 1e-8 * period;
         }
-        self.covariance.add_diagonal(&noise);
     }
 
-    /// Corrects by a measured position, m, and velocity, m/s; returns the number of rejected numbers.
+    /// Corrects by a measured position, m, and velocity, m/s; returns the report.
     #[entry(infallible)]
-    pub fn correct(&mut self, position: &Vector3<f64>, velocity: &Vector3<f64>) -> u32 {
-        let mut rejected = 0;
-        for index in 0..6 {
-            let (measured, variance) =
-                if index < 3 { (position[index], 0.25) } else { (velocity[index - 3], 0.01) };
-            let innovation = measured - self.state[index];
-            let report = self
-                .covariance
-                .correct_element(&mut self.state, index, innovation, variance, GATE);
-            if report.status != Status::Corrected {
-                rejected += 1;
-            }
-        }
-        rejected
+    pub fn correct(&mut self, measured: &SVector<f64, 6>) -> Correction<f64> {
+        let innovation = measured - self.state.fixed_rows::<6>(0);
+        let variances = SVector::from([0.25, 0.25, 0.25, 0.01, 0.01, 0.01]);
+        self.covariance.correct_part::<0, 6>(&mut self.state, &innovation, &variances, GATE)
     }
 }

@@ -68,6 +68,15 @@ pub fn by_factors(p: &Matrix3<f64>, row: &Vector3<f64>, innovation: f64) -> (f64
     }
 }
 
+/// Corrects the last two of four numbers, which are measured with independent errors.
+#[function]
+pub fn by_part(p: &Matrix4<f64>, innovation: &Vector2<f64>) -> (Status, Vector4<f64>, Matrix4<f64>) {
+    let (mut state, mut covariance) = (Vector4::zeros(), Symmetric::of_lower(p));
+    let variances = Vector2::new(0.5, 0.25);
+    let report = covariance.correct_part::<2, 2>(&mut state, innovation, &variances, 16.0);
+    (report.status, state, *covariance.matrix())
+}
+
 /// Scales a covariance in single precision, and selects a part of it.
 #[function]
 pub fn scaled(p: &Matrix3<f32>, by: &Vector3<f32>) -> Matrix2<f32> {
