@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "bessemer_calls.h"
+#include "bessemer_constants.h"
 #include "bessemer_target.h"
 #include "covariance.h"
 #include "geometry.h"
@@ -112,15 +113,7 @@ static void attitude_filter_advance(const orientation_t *orientation, const doub
     const double along = orientation->c3 * rates[0] + orientation->s3 * rates[1];
     const double across = orientation->s3 * rates[0] - orientation->c3 * rates[1];
     const double lean = orientation->s2 / c2;
-    static const double advance_value[36] = {
-        1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
-        0.0, 0.0, 0.0, 0.0, 0.0, 1.0
-    };
-    (void)memcpy(advance, advance_value, sizeof(double[36]));
+    (void)memcpy(advance, BESSEMER_IDENTITY_6, sizeof(double[36]));
     advance[0 + 6 * 1] = -period * along * lean / c2;
     advance[0 + 6 * 2] = period * across / c2;
     advance[1 + 6 * 2] = period * along;

@@ -37,6 +37,9 @@ static const double ANGLES_WHOLE_PI_HIGH = 3.141592653589793;
 /** π, minus its high part. */
 static const double ANGLES_WHOLE_PI_LOW = 1.2246467991473532e-16;
 
+/** The identity matrix of 6 rows. A matrix by columns: [row + 6 * column]. */
+extern const double BESSEMER_IDENTITY_6[36];
+
 /**
  * Coefficient of x² in the Taylor series of e^x. Up to |x| = (ln 2)/256 the terms after the fifth power are below
  * 2⁻⁶⁰. In Rust: `1.0 / 2.0`.

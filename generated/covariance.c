@@ -15,6 +15,7 @@
 #include <stdint.h>
 
 #include "bessemer_calls.h"
+#include "bessemer_constants.h"
 #include "bessemer_target.h"
 #include "product_f64_3x3_3x3.h"
 #include "product_f64_6x6_6x6.h"
@@ -107,19 +108,11 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
 void covariance_corrected_6(const double covariance[36], const double row[6], const double gain[6],
     double variance, double work[BESSEMER_RESTRICT 108], double result[36])
 {
-    static const double kept_matrix[36] = {
-        1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
-        0.0, 0.0, 0.0, 0.0, 0.0, 1.0
-    };
     double *const kept = work;
     for (uint32_t column = 0U; column < 6U; column++) {
         BESSEMER_FEW_PASSES
         for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-            kept[row_2 + 6U * column] = kept_matrix[row_2 + 6U * column]
+            kept[row_2 + 6U * column] = BESSEMER_IDENTITY_6[row_2 + 6U * column]
                 - gain[row_2] * row[column];
         }
     }

@@ -65,9 +65,6 @@ void logger_step(logger_t *BESSEMER_RESTRICT self, const choice_t *choice,
         record_t *const record = &work->record;
         record->period = self->period;
         record->tag = choice->tag;
-        for (uint32_t i = 0U; i < 36U; i++) {
-            record->values[i] = 0.0;
-        }
         for (uint32_t n = 0U; n < LOGGER_WIDTH; n++) {
             const uint32_t number = (uint32_t)choice->signals[n];
             record->values[n] = signals[number % LOGGER_SIGNALS];

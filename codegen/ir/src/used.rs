@@ -20,6 +20,7 @@ rules! {
     Interval: "analysis: a condition, by intervals",
     Relation: "analysis: a condition, by one that holds",
     Length: "analysis: an index, below a length by another value",
+    Defined: "analysis: a local, compared to what it is defined by",
     Each: "analysis: a comparison with the smaller or the larger of two, as one with each",
     Either: "analysis: a disjunction, where its first part fails",
     Place: "analysis: a place narrowed by a condition",

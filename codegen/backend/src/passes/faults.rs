@@ -283,7 +283,11 @@ fn wide(op: BinaryOp, a: &Expr, b: &Expr, to: Int, int: Int) -> Vec<Expr> {
         Expr { kind: ExprKind::Cast(Box::new(x.clone())), ty, span: Span::default() }
     };
     let exact = binary(op, &cast(a), &cast(b));
-    let mut conditions = at_least(&exact, to, int.min());
+    // Neither a sum nor a product of unsigned numbers is below 0.
+    let mut conditions = match int.signed() {
+        true => at_least(&exact, to, int.min()),
+        false => Vec::new(),
+    };
     conditions.extend(at_most(&exact, to, int.max()));
     conditions
 }

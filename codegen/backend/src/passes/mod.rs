@@ -21,6 +21,7 @@ mod declare;
 mod explicit;
 mod faults;
 mod flatten;
+mod identities;
 mod lend;
 mod lowering;
 mod names;
@@ -133,11 +134,12 @@ pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec
     let module = Module { functions, ..module };
     let mut errors: Vec<Error> = check(&module).into_iter().map(Error::from).collect();
     errors.extend(broken_claims(&module, &report));
-    match errors.is_empty() {
-        true if keep => Ok((Module { functions: kept, ..module }, report)),
-        true => Ok((module, report)),
-        false => Err(errors),
+    if !errors.is_empty() {
+        return Err(errors);
     }
+    let mut module = if keep { Module { functions: kept, ..module } } else { module };
+    identities::name(&mut module);
+    Ok((module, report))
 }
 
 /// Removes the author's checks that were proved.

@@ -152,6 +152,7 @@ impl Lowering<'_> {
         let known = value.as_ref().map(|value| self.facts.parts(value)).unwrap_or_default();
         self.facts.forget(&value.as_ref().map(lent).unwrap_or_default());
         self.facts.assign(&whole(local), known);
+        value.iter().for_each(|value| self.facts.define(local, value));
         self.emit(StmtKind::Let { local, value }, span);
     }
 

@@ -40,6 +40,7 @@ impl Lower<'_> {
             ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Matrix(_) | ExprKind::Splat(_)
         );
         if built && place.is_some_and(|place| reads_place(value, place)) {
+            self.spared.clear();
             self.store_through_copy(dest, value);
             return;
         }
@@ -63,7 +64,7 @@ impl Lower<'_> {
                 self.store_routine(dest, place, (*routine, operands), value);
             }
             ExprKind::Splat(_) => self.construct(dest, value),
-            _ if is_stored_whole(self.context.module, value) => {
+            _ if self.spared.is_empty() && is_stored_whole(self.context.module, value) => {
                 let own = self.result_storage() == Some(dest.clone());
                 let wanted = match dest.last_name() {
                     _ if own => self.function.name.clone(),
@@ -102,8 +103,10 @@ impl Lower<'_> {
         match (&value.kind, &value.ty) {
             (ExprKind::Struct(items), Type::Struct(id)) => {
                 let names = &self.context.names.structs[id.index()];
+                let spared = std::mem::take(&mut self.spared);
                 for (index, (item, field)) in items.iter().zip(&names.fields).enumerate() {
-                    if !self.is_held(*id, index, items) || self.is_part(item) {
+                    let written_later = self.is_part(item) || spared.contains(&index);
+                    if !self.is_held(*id, index, items) || written_later {
                         continue;
                     }
                     self.store(dest.clone().field(field), None, item);

@@ -177,6 +177,49 @@ pub(super) fn rewritten(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt
     false
 }
 
+/// Returns the fields of a struct whose equal elements a loop overwrites before anything else uses them.
+pub(super) fn spared(module: &Module, local: LocalId, value: &Expr, rest: &[Stmt]) -> Vec<usize> {
+    let (ExprKind::Struct(items), Type::Struct(id)) = (&value.kind, &value.ty) else {
+        return Vec::new();
+    };
+    let item = &module.structs[id.index()];
+    let is_filled = |(field, item): (usize, &Expr)| match &item.kind {
+        ExprKind::Splat(each) => {
+            matches!(each.kind, ExprKind::Literal(_))
+                && overwrites(module, local, (field as u32, &item.ty), rest)
+        }
+        _ => false,
+    };
+    let record = matches!(item.form, Form::Record);
+    (0..items.len()).filter(|at| record && is_filled((*at, &items[*at]))).collect()
+}
+
+/// Returns true if the first statement that uses a field is a loop that assigns each of its elements.
+fn overwrites(module: &Module, local: LocalId, (field, ty): (u32, &Type), rest: &[Stmt]) -> bool {
+    let touches = |place: &Place, _| {
+        place.root == local
+            && !matches!(place.steps.first(), Some(Step::Field(other)) if *other != field)
+    };
+    for stmt in rest {
+        if leaves(stmt) {
+            return false;
+        }
+        if !stmt.any_place(touches) {
+            continue;
+        }
+        let Some((counter, to, body)) = through(module, stmt).filter(|(_, to, _)| *to > 0) else {
+            return false;
+        };
+        let mut used = body.0.iter().filter(|stmt| stmt.any_place(touches));
+        let (first, others) = (used.next().map(|stmt| &stmt.kind), used.next());
+        return others.is_none()
+            && matches!(first, Some(StmtKind::Assign { place, value })
+                if matches!(place.steps.as_slice(), [Step::Field(_), element] if is_each(ty, element, counter, to))
+                    && !value.any_place(touches));
+    }
+    false
+}
+
 /// Returns true if a step leads to each element of an array or a vector as `counter` goes from 0 to `to`.
 fn is_each(ty: &Type, step: &Step, counter: LocalId, to: u32) -> bool {
     let place = |steps| Place { steps, ..whole(counter) };

@@ -115,6 +115,8 @@ pub(super) struct Lower<'a> {
     bytes: u64,
     /// Unroll factor of the next loop, from the author.
     unroll: Option<u32>,
+    /// Fields of the struct that the present statement stores which later statements overwrite before they are read.
+    spared: Vec<usize>,
 }
 
 /// Lowers the body of a function; records its requirements in `uses`.
@@ -148,6 +150,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
         parts: BTreeMap::new(),
         bytes: 0,
         unroll: None,
+        spared: Vec::new(),
     };
     lower.parameters();
     lower.prologue();

@@ -9,7 +9,7 @@ use bessemer_ir::{
 use super::super::literal;
 use super::super::tree::{Expr, Init, Stmt, StmtKind, SwitchArm, plain};
 use super::Lower;
-use super::fill::{filled, length, rewritten, unwritten};
+use super::fill::{filled, length, rewritten, spared, unwritten};
 use crate::passes::reached;
 use crate::uncopied::is_table;
 use bessemer_ir::effects::{calls, whole};
@@ -43,8 +43,26 @@ impl Lower<'_> {
                 {
                     self.let_(*local, None);
                 }
-                _ => self.stmt(stmt, tail && index + 1 == block.0.len()),
+                _ => {
+                    self.spared = self.spared(&stmt.kind, &block.0[index + 1..]);
+                    self.stmt(stmt, tail && index + 1 == block.0.len());
+                    self.spared.clear();
+                }
             }
+        }
+    }
+
+    /// Returns the fields of the variable that a statement sets which later statements write before they are read.
+    fn spared(&self, stmt: &IrKind, rest: &[IrStmt]) -> Vec<usize> {
+        let (local, value) = match stmt {
+            IrKind::Let { local, value: Some(value) } => (*local, value),
+            IrKind::Assign { place, value } if place.steps.is_empty() => (place.root, value),
+            _ => return Vec::new(),
+        };
+        // The caller may see a parameter after a fault.
+        match local.0 < self.function.params {
+            true => Vec::new(),
+            false => spared(self.context.module, local, value, rest),
         }
     }
 

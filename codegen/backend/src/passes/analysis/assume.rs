@@ -9,6 +9,7 @@ use super::domain::Interval;
 use super::evaluate::{brought_key, is_ordered};
 use super::known::Known;
 use super::state::{State, key};
+use crate::passes::places::erased;
 use bessemer_ir::used::Rule;
 
 impl<'m> State<'m> {
@@ -26,7 +27,9 @@ impl<'m> State<'m> {
             }
             _ => {
                 let below = || self.relations.below_length(condition, |it| self.fails(it));
-                self.holds(condition) || Rule::Length.told(below())
+                self.holds(condition)
+                    || Rule::Length.told(below())
+                    || self.by_definition(&erased(condition))
             }
         }
     }

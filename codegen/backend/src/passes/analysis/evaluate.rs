@@ -39,6 +39,11 @@ impl State<'_> {
             }
             ExprKind::Unary(UnaryOp::Not, x) => self.range(x).not(all),
             ExprKind::Unary(UnaryOp::Neg, x) => all.meet(Interval::one(0).sub(self.range(x))),
+            ExprKind::Binary(BinaryOp::Sub, a, b)
+                if let Some(difference) = self.difference(a, b) =>
+            {
+                all.meet(Interval::one(difference))
+            }
             ExprKind::Binary(op, a, b) => self.range(a).binary(*op, self.range(b), all),
             ExprKind::Cast(x) => self.number(x).filter(|from| from.within(all)).unwrap_or(all),
             ExprKind::Intrinsic(Intrinsic::Variant, args) => {

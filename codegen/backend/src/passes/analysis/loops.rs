@@ -4,9 +4,9 @@
 //!
 //! * Nothing is known about places that the body writes, except:
 //! * **A counter** (`for`): its bounds do not change during the loop, and in the body it lies between them.
-//! * **A local that only counts up**: every write in the body adds a literal. Each pass adds at most the sum along
-//!   one path, where an inner loop counts with its number of passes; so at the head of pass `k` at most `k` times that
-//!   was added.
+//! * **A local that only counts up**: every write in the body adds a number that is not negative. Each pass adds at most
+//!   the sum along one path, where an inner loop counts with its number of passes; so at the head of pass `k` at most
+//!   `k` times that was added.
 //! * **A word with assigned values only**: [`given`](super::given).
 //! * **A loop that its body ends** has no counter, and its bounds change: an [`invariant`](super::invariant) is
 //!   computed instead.
@@ -152,7 +152,7 @@ fn increase(stmts: &[Stmt], local: LocalId, state: &State) -> Option<i128> {
     let mut sum = 0i128;
     for stmt in stmts {
         let added = match &stmt.kind {
-            StmtKind::Assign { place, value } if place.root == local => added(place, value)?,
+            StmtKind::Assign { place, value } if place.root == local => added(place, value, state)?,
             StmtKind::If { condition, then, otherwise } if is_left(condition, local) => {
                 of_block(then)?.max(of_block(otherwise)?)
             }
@@ -182,11 +182,14 @@ fn is_left(expr: &Expr, local: LocalId) -> bool {
     !lent(expr).iter().any(|place| place.root == local)
 }
 
-/// Returns `k` of `local = local + k`.
-fn added(place: &Place, value: &Expr) -> Option<i128> {
+/// Returns the largest number that `local = local + number` adds, in a state that holds throughout the loop.
+fn added(place: &Place, value: &Expr, state: &State) -> Option<i128> {
     let ExprKind::Binary(BinaryOp::Add, a, b) = &value.kind else { return None };
-    let (ExprKind::Load(from), ExprKind::Literal(word)) = (&a.kind, &b.kind) else { return None };
+    let ExprKind::Load(from) = &a.kind else { return None };
     let same = place.steps.is_empty() && from.steps.is_empty() && from.root == place.root;
-    let added = b.ty.as_int()?.from_word(*word);
-    (same && added >= 0).then_some(added)
+    if !same || b.ty.as_int().is_none() || !is_left(b, place.root) {
+        return None;
+    }
+    let Interval { low, high } = state.range(b);
+    (low >= 0).then_some(high)
 }

@@ -11,7 +11,7 @@ use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LogicOp, Place
 
 use super::glance::{Glance, bit};
 use crate::passes::places::erased;
-use bessemer_ir::effects::reads;
+use bessemer_ir::effects::{reads, same_place};
 
 /// A condition that holds, with its fingerprint.
 #[derive(Clone)]
@@ -35,6 +35,21 @@ impl Relations {
     /// Returns the number of facts.
     pub(super) fn len(&self) -> usize {
         self.0.len()
+    }
+
+    /// Returns the expression that a local has been set to, while neither has changed.
+    pub(super) fn definition(&self, local: &Expr) -> Option<&Expr> {
+        let ExprKind::Load(place) = &local.kind else { return None };
+        let roots = bit(place.root);
+        let defines = |it: &'_ &Relation| {
+            it.glance.roots & roots != 0
+                && matches!(&it.condition.kind, ExprKind::Compare(CompareOp::Eq, a, _)
+                    if matches!(&a.kind, ExprKind::Load(to) if same_place(to, place)))
+        };
+        match &self.0.iter().rev().find(defines)?.condition.kind {
+            ExprKind::Compare(_, _, value) => Some(value),
+            _ => None,
+        }
     }
 
     /// Drops the conditions that read one of `written`.

@@ -84,6 +84,19 @@ impl Numbers {
         ]
     }
 
+    /// Further values of `x`, by which it compares to `y`.
+    fn definitions(self) -> Vec<Expr> {
+        let (y, two, five) = (self.y(), self.literal(2), self.literal(5));
+        let of = |which| node(ExprKind::Intrinsic(which, vec![y.clone(), five.clone()]), self.ty());
+        vec![
+            binary(BinaryOp::Add, &y, &two),
+            binary(BinaryOp::Sub, &y, &five),
+            binary(BinaryOp::Div, &y, &two),
+            of(Intrinsic::Min),
+            of(Intrinsic::Max),
+        ]
+    }
+
     /// Comparisons with the smaller and with the larger of the two.
     fn of_two(self) -> Vec<Expr> {
         let (x, y) = (self.x(), self.y());
@@ -152,12 +165,12 @@ impl Numbers {
         state: &State,
         reach: &Pairs,
         asked: &[(Expr, Pairs, Pairs)],
-        told: &dyn Fn() -> String,
+        message: &dyn Fn() -> String,
     ) {
         for (condition, _, fails) in asked {
             let wrong = reach.iter().zip(fails).any(|(reach, fails)| reach & fails != 0);
             if wrong {
-                assert!(!state.proves(condition), "{}: proves {}", told(), shown(condition));
+                assert!(!state.proves(condition), "{}: proves {}", message(), shown(condition));
             }
         }
         for term in self.terms() {
@@ -165,7 +178,7 @@ impl Numbers {
             for (at, pair) in self.pairs().enumerate() {
                 if reach[at / 64] >> (at % 64) & 1 == 1 {
                     let held = value(&term, pair).is_none_or(|value| range.contains(value));
-                    assert!(held, "{}: {} is {range} at {pair:?}", told(), shown(&term));
+                    assert!(held, "{}: {} is {range} at {pair:?}", message(), shown(&term));
                 }
             }
         }
@@ -197,7 +210,11 @@ fn value(expr: &Expr, (x, y): (i128, i128)) -> Option<i128> {
         ExprKind::Cast(inner) => of(inner),
         ExprKind::Binary(op, a, b) => {
             let (a, b, int) = (of(a)?, of(b)?, expr.ty.as_int()?);
-            let exact = if *op == BinaryOp::Add { a + b } else { a - b };
+            let exact = match op {
+                BinaryOp::Add => a + b,
+                BinaryOp::Sub => a - b,
+                _ => a / b,
+            };
             (int.min() <= exact && exact <= int.max()).then_some(exact)
         }
         ExprKind::Intrinsic(which, parts) => {
@@ -264,8 +281,8 @@ fn what_one_condition_gives_holds() {
         for (condition, holds, fails) in of_two.iter().chain(others.iter().step_by(2)) {
             for (truth, reach) in [(true, holds), (false, fails)] {
                 let state = numbers.start(&module).assuming(condition, truth);
-                let told = || format!("{} is {truth}", shown(condition));
-                numbers.confirm(&state, reach, &asked, &told);
+                let message = || format!("{} is {truth}", shown(condition));
+                numbers.confirm(&state, reach, &asked, &message);
             }
         }
     }
@@ -281,8 +298,8 @@ fn what_two_conditions_give_holds() {
             for (second, holds, fails) in asked.iter().step_by(4) {
                 for (truth, reach) in [(true, holds), (false, fails)] {
                     let state = begun.assuming(second, truth);
-                    let told = || format!("{} and {} is {truth}", shown(first), shown(second));
-                    numbers.confirm(&state, &both(first_holds, reach), &asked, &told);
+                    let message = || format!("{} and {} is {truth}", shown(first), shown(second));
+                    numbers.confirm(&state, &both(first_holds, reach), &asked, &message);
                 }
             }
         }
@@ -299,8 +316,8 @@ fn what_holds_where_paths_meet_holds_on_both() {
                 let mut state = numbers.start(&module).assuming(first, true);
                 state.join(&numbers.start(&module).assuming(second, true));
                 let reach = [0, 1, 2, 3].map(|at| one[at] | other[at]);
-                let told = || format!("{} or {}", shown(first), shown(second));
-                numbers.confirm(&state, &reach, &asked, &told);
+                let message = || format!("{} or {}", shown(first), shown(second));
+                numbers.confirm(&state, &reach, &asked, &message);
             }
         }
     }
@@ -313,10 +330,12 @@ fn what_is_known_behind_a_write_holds() {
     for numbers in NUMBERS {
         let asked = numbers.tables([numbers.conditions(), numbers.some()].concat());
         for (condition, holds, _) in asked.iter().step_by(9) {
-            for term in numbers.terms().into_iter().filter(|term| term.ty == numbers.ty()) {
+            let terms = [numbers.terms(), numbers.definitions()].concat();
+            for term in terms.into_iter().filter(|term| term.ty == numbers.ty()) {
                 let mut state = numbers.start(&module).assuming(condition, true);
                 let known = state.parts(&term);
                 state.assign(&whole(X), known);
+                state.define(X, &term);
                 // What x is behind it, of pairs that stay in the table.
                 let mut reach = Pairs::default();
                 for (at, pair) in numbers.pairs().enumerate() {
@@ -328,11 +347,34 @@ fn what_is_known_behind_a_write_holds() {
                         reach[at / 64] |= 1 << (at % 64);
                     }
                 }
-                let told = || format!("{}, then x = {}", shown(condition), shown(&term));
-                numbers.confirm(&state, &reach, &asked, &told);
+                let message = || format!("{}, then x = {}", shown(condition), shown(&term));
+                numbers.confirm(&state, &reach, &asked, &message);
             }
         }
     }
+}
+
+/// Consequences of a definition alone: `y <= y + 2`, `y / 2 <= y`, and the difference of `y + 2` and `y`.
+#[test]
+fn a_definition_compares_a_local_to_its_parts() {
+    let module = Module::default();
+    let numbers = Numbers { int: Int::U8, low: 0 };
+    let (x, y, definitions) = (numbers.x(), numbers.y(), numbers.definitions());
+    let shown = |of: usize, a: &Expr, b: &Expr| {
+        let mut state = State::new(&module);
+        state.assign(&whole(X), Vec::new());
+        state.define(X, &definitions[of]);
+        state.proves(&compare(CompareOp::Le, a, b))
+    };
+    let of_y = [(false, true), (true, false), (true, false), (true, false), (false, true)];
+    for (at, (below, above)) in of_y.into_iter().enumerate() {
+        assert_eq!((shown(at, &x, &y), shown(at, &y, &x)), (below, above), "{at}");
+    }
+    let difference = binary(BinaryOp::Sub, &x, &y);
+    assert!(
+        shown(0, &difference, &numbers.literal(2)) && shown(0, &numbers.literal(2), &difference)
+    );
+    assert!(!shown(4, &difference, &numbers.literal(5)));
 }
 
 /// `x + 2 < y` and `x - 2 < y`, where `x` is below `y`, or below what falls short of it.

@@ -1,0 +1,107 @@
+//! Locals that are defined by another number: `let end = at + 2;`, `let middle = count / 2;`.
+//!
+//! Meaning: a definition is a relation `local == value`, which holds until something that it reads is written. So it
+//! shows how the local compares to what it comes from. Integers alone: their operations did not overflow.
+
+use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LocalId, Place};
+
+use super::state::State;
+use bessemer_ir::effects::{mentions, same_place};
+use bessemer_ir::used::Rule;
+
+/// Largest number of definitions in one argument.
+const DEPTH: u32 = 4;
+
+impl State<'_> {
+    /// Records what a local has just been set to.
+    pub(crate) fn define(&mut self, local: LocalId, value: &Expr) {
+        let defines = match &value.kind {
+            ExprKind::Load(_) => true,
+            ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub | BinaryOp::Div, a, b) => {
+                matches!(a.kind, ExprKind::Load(_)) && b.is_literal()
+            }
+            ExprKind::Intrinsic(Intrinsic::Min | Intrinsic::Max, operands) => {
+                operands.iter().all(|it| matches!(it.kind, ExprKind::Load(_)) || it.is_literal())
+            }
+            _ => false,
+        };
+        if defines && value.ty.as_int().is_some() && !mentions(value, local) {
+            let local = Expr::local(local, &value.ty, value.span);
+            self.assume_compare(CompareOp::Eq, &local, value, true);
+        }
+    }
+
+    /// Returns true if a comparison holds by definitions.
+    pub(super) fn by_definition(&self, condition: &Expr) -> bool {
+        let ExprKind::Compare(op, a, b) = &condition.kind else { return false };
+        if a.ty.as_int().is_none() {
+            return false;
+        }
+        let holds = match op {
+            CompareOp::Le => self.at_most(a, b, 0, DEPTH),
+            CompareOp::Lt => self.at_most(a, b, -1, DEPTH),
+            CompareOp::Ge => self.at_most(b, a, 0, DEPTH),
+            CompareOp::Gt => self.at_most(b, a, -1, DEPTH),
+            CompareOp::Eq | CompareOp::Ne => false,
+        };
+        if holds {
+            Rule::Defined.used();
+        }
+        holds
+    }
+
+    /// Returns true if `a <= b + more` by definitions.
+    fn at_most(&self, a: &Expr, b: &Expr, more: i128, depth: u32) -> bool {
+        if a == b {
+            return more >= 0;
+        }
+        let Some(depth) = depth.checked_sub(1) else { return false };
+        let number = |it: &Expr| self.range(it).single();
+        let unsigned = a.ty.as_int().is_some_and(|int| !int.signed());
+        let of_a = match &a.kind {
+            ExprKind::Binary(BinaryOp::Add, x, by) => {
+                number(by).is_some_and(|by| self.at_most(x, b, more.saturating_sub(by), depth))
+            }
+            ExprKind::Binary(BinaryOp::Sub, x, by) => {
+                number(by).is_some_and(|by| self.at_most(x, b, more.saturating_add(by), depth))
+            }
+            ExprKind::Binary(BinaryOp::Div, x, by) if unsigned => {
+                number(by).is_some_and(|by| by > 0) && self.at_most(x, b, more, depth)
+            }
+            ExprKind::Intrinsic(Intrinsic::Min, all) => {
+                all.iter().any(|x| self.at_most(x, b, more, depth))
+            }
+            _ => self.relations.definition(a).is_some_and(|a| self.at_most(a, b, more, depth)),
+        };
+        of_a || match &b.kind {
+            ExprKind::Binary(BinaryOp::Add, y, by) => {
+                number(by).is_some_and(|by| self.at_most(a, y, more.saturating_add(by), depth))
+            }
+            ExprKind::Binary(BinaryOp::Sub, y, by) => {
+                number(by).is_some_and(|by| self.at_most(a, y, more.saturating_sub(by), depth))
+            }
+            ExprKind::Intrinsic(Intrinsic::Max, all) => {
+                all.iter().any(|y| self.at_most(a, y, more, depth))
+            }
+            _ => self.relations.definition(b).is_some_and(|b| self.at_most(a, b, more, depth)),
+        }
+    }
+
+    /// Returns the difference of two numbers, if one of them is defined by the other and a literal.
+    pub(super) fn difference(&self, a: &Expr, b: &Expr) -> Option<i128> {
+        let (ExprKind::Load(left), ExprKind::Load(right)) = (&a.kind, &b.kind) else { return None };
+        let beyond = |whole: &Expr, of: &Place| {
+            let ExprKind::Binary(op, part, by) = &self.relations.definition(whole)?.kind else {
+                return None;
+            };
+            let same = matches!(&part.kind, ExprKind::Load(part) if same_place(part, of));
+            let by = self.range(by).single().filter(|_| same)?;
+            match op {
+                BinaryOp::Add => Some(by),
+                BinaryOp::Sub => Some(-by),
+                _ => None,
+            }
+        };
+        beyond(a, right).or_else(|| beyond(b, left).map(|by| -by))
+    }
+}
