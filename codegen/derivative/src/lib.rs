@@ -16,6 +16,7 @@ mod clean;
 mod control;
 mod covariance;
 mod expression;
+mod extreme;
 mod fold;
 mod join;
 mod linear;

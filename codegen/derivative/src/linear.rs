@@ -6,6 +6,10 @@ use crate::run::Run;
 use crate::value::{Value, Word};
 use crate::{Problem, Result, float};
 
+/// Routines whose numbers are operands, or their magnitudes.
+const EXTREMES: [Routine; 5] =
+    [Routine::Abs, Routine::Inf, Routine::Sup, Routine::Amax, Routine::Amin];
+
 /// A matrix by columns.
 struct Matrix {
     words: Vec<Word>,
@@ -32,6 +36,9 @@ impl Run<'_> {
         expr: &Expr,
     ) -> Result<Value> {
         let active = operands.iter().any(|(value, _)| value.is_active());
+        if active && EXTREMES.contains(&routine) {
+            return self.extreme(routine, operands, expr);
+        }
         if routine == Routine::Transpose || active {
             return self.by_elements(routine, operands, expr);
         }
@@ -51,7 +58,7 @@ impl Run<'_> {
     }
 
     /// Returns an expression of a value without derivatives.
-    fn whole_value(&mut self, value: Value, ty: &Type) -> Expr {
+    pub fn whole_value(&mut self, value: Value, ty: &Type) -> Expr {
         match value {
             Value::Place(place) => place.load(),
             Value::Leaf(word) => word.value,
@@ -128,8 +135,8 @@ impl Run<'_> {
             Routine::Abs | Routine::Inf | Routine::Sup | Routine::Amax | Routine::Amin => {
                 return Err(Problem::new(
                     span,
-                    "magnitudes and extremes of a matrix have no derivative yet",
-                    "write them by elements: `abs`, `min` and `max` of numbers have one",
+                    "this routine is not computed by elements",
+                    "report it: this is a bug of the generator",
                 ));
             }
             Routine::NormSquared => vec![self.norm_squared(a, span)],

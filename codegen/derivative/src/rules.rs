@@ -3,6 +3,7 @@
 use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, StmtKind, Type, UnaryOp};
 
 use crate::expression::literal;
+use crate::extreme::negative;
 use crate::run::Run;
 use crate::value::{Tangents, Value, Word};
 use crate::{Problem, Result, float, fold};
@@ -99,13 +100,9 @@ impl Run<'_> {
 
     /// Returns the derivatives of a function whose value is one of its operands, or its negative.
     fn selected(&mut self, op: Intrinsic, value: &Expr, operands: &[Word]) -> Tangents {
-        let span = value.span;
         let is = |op: CompareOp, a: &Expr, b: &Expr| Expr::compare(op, a.clone(), b.clone());
         let empty = Tangents::new();
         let of = |index: usize| operands.get(index).map_or(&empty, |it| &it.tangents).clone();
-        let negative = |tangents: Tangents| -> Tangents {
-            tangents.into_iter().map(|(variable, it)| (variable, fold::neg(it))).collect()
-        };
         let operand = |index: usize| operands.get(index).map_or(value, |it| &it.value);
         let sides: Vec<(Expr, Tangents)> = match op {
             Intrinsic::Clamp => vec![
@@ -117,8 +114,19 @@ impl Run<'_> {
         let last = match op {
             Intrinsic::Clamp => of(0),
             Intrinsic::Min | Intrinsic::Max => of(1),
-            _ => negative(of(0)),
+            _ => negative(&of(0)),
         };
+        self.by_cases(value, sides, last)
+    }
+
+    /// Returns the derivatives of the first case that holds, or the last ones.
+    pub fn by_cases(
+        &mut self,
+        value: &Expr,
+        sides: Vec<(Expr, Tangents)>,
+        last: Tangents,
+    ) -> Tangents {
+        let span = value.span;
         let mut variables: Vec<u32> = last.keys().copied().collect();
         variables.extend(sides.iter().flat_map(|side| side.1.keys().copied()));
         variables.sort_unstable();

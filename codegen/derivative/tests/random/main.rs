@@ -117,6 +117,59 @@ fn zeros_and_ones_are_not_computed() {
     assert_eq!(body(&derived, &function), expected);
 }
 
+/// Magnitudes and extremes of matrices have the derivatives of the chosen elements; a tie is the first element's.
+#[test]
+fn magnitudes_and_extremes_choose_an_element() {
+    let at = [[0.5, -2.0], [3.0, 1.0], [-1.0, 1.0], [0.0, 0.0]];
+    type Jacobian = fn([f64; 2]) -> [[f64; 2]; 2];
+    let cases: [(&str, Jacobian); 5] = [
+        ("x.magnitudes()", |x| [[sign(x[0]), 0.0], [0.0, sign(x[1])]]),
+        ("x.inf(y * x)", |x| {
+            [[chosen(x[0] <= 2.0 * x[0]), 0.0], [0.0, chosen(x[1] <= 2.0 * x[1])]]
+        }),
+        ("x.sup(y * x)", |x| {
+            [[chosen(x[0] >= 2.0 * x[0]), 0.0], [0.0, chosen(x[1] >= 2.0 * x[1])]]
+        }),
+        ("matrix<2, 1>(x.amax(), y)", |x| [largest(x[0].abs() >= x[1].abs(), x), [0.0, 0.0]]),
+        ("matrix<2, 1>(x.amin(), y)", |x| [largest(x[0].abs() <= x[1].abs(), x), [0.0, 0.0]]),
+    ];
+    for (value, expected) in cases {
+        let value = value.replace("y * x", "matrix<2, 1>(y * x[0, 0], y * x[1, 0])");
+        let text = format!(
+            "module demo\n\
+             struct Pair in demo {{ first: matrix<f64, 2, 1>, second: matrix<f64, 2, 2>, third: matrix<f64, 2, 1> }}\n\
+             fn subject in demo(x: &matrix<f64, 2, 1>, y: f64) -> matrix<f64, 2, 1> as result {{\nreturn {value};\n}}\n\
+             fn jacobian in demo(x: &matrix<f64, 2, 1>, y: f64) -> Pair as result {{\n\
+             return struct Pair {{ first: x, second: splat<2, 2>(0.0), third: x }};\n}}\n"
+        );
+        let module = parse(&text).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
+        let (derived, _) = with_derivative(&module).expect("it is small");
+        for x in at {
+            let words = vec![x.map(f64::to_bits).to_vec(), vec![2.0_f64.to_bits()]];
+            let into = find(&module, "jacobian");
+            let found = Interpreter::new(&derived).call(into, &mut words.clone()).expect("it runs");
+            let plain =
+                Interpreter::new(&module).call(find(&module, "subject"), &mut words.clone());
+            assert_eq!(found[..2], plain.expect("it runs")[..], "{value} {x:?}");
+            let found: Vec<f64> = found.into_iter().map(f64::from_bits).collect();
+            let found = [[found[2], found[4]], [found[3], found[5]]];
+            assert_eq!(found, expected(x), "{value} {x:?}");
+        }
+    }
+}
+
+fn sign(x: f64) -> f64 {
+    if x < 0.0 { -1.0 } else { 1.0 }
+}
+
+fn chosen(first: bool) -> f64 {
+    if first { 1.0 } else { 2.0 }
+}
+
+fn largest(first: bool, x: [f64; 2]) -> [f64; 2] {
+    if first { [sign(x[0]), 0.0] } else { [0.0, sign(x[1])] }
+}
+
 /// Returns the problem of a derivative by `by` of a function with these parameters, result and body.
 fn problem(parameters: &str, result: &str, body: &str, by: usize, declared: &str) -> String {
     let text = format!(
