@@ -96,7 +96,8 @@ impl Lowering<'_, '_> {
             });
         }
         // The later arms and the guard's own names must not see what a guard writes to what a part was copied from.
-        if matches!(scrutinee.kind, tree::ExprKind::Tuple(_)) {
+        // rustc refuses a guard that writes the matched place itself.
+        if !is_place(scrutinee) {
             let guards = arms.iter().filter_map(|arm| arm.guard.as_ref());
             subject = self.part_held(subject, scrutinee, guards);
         }
@@ -406,4 +407,10 @@ pub(super) fn reachable(arms: &[tree::Arm]) -> &[tree::Arm] {
 /// Returns true if a value can be read again and does not change while the arms are tested.
 fn is_still(value: &Expr) -> bool {
     matches!(&value.kind, ExprKind::Load(place) if place.steps.iter().all(super::order::is_fixed))
+}
+
+/// Returns true if an expression denotes a place, and no value that is computed for the `match`.
+fn is_place(expr: &tree::Expr) -> bool {
+    use tree::ExprKind::{Deref, Field, Index, Local, Ref};
+    matches!(expr.kind, Local(_) | Field(..) | Index(..) | Deref(_) | Ref(..))
 }
