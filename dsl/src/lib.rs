@@ -69,7 +69,6 @@ pub use bessemer_macros::{
 };
 pub use bounded::BoundedMatrix;
 pub use element::{Element, Number};
-pub use instance::{EntriesInOneBlock, EntriesOfSomeInstances};
 pub use linear::{inverse, inverse_mut, solve, solve_into, solve_mut};
 pub use list::List;
 pub use nalgebra;
@@ -91,7 +90,6 @@ pub mod exchange;
 #[cfg(feature = "generate")]
 #[doc(hidden)]
 pub mod generate;
-mod instance;
 #[doc(hidden)]
 pub mod iterate;
 pub mod linear;

@@ -27,15 +27,6 @@ impl<T: Real> Filter<T> {
     }
 }
 
-#[component]
-impl<T: Real> Filter<T> {
-    /// Another, in a block of its own.
-    #[entry]
-    pub fn level(&self) -> T {
-        self.level
-    }
-}
-
 /// A name with a parameter of its own.
 #[component]
 pub type Filters<T> = Filter<T>;

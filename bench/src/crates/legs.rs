@@ -17,7 +17,7 @@ use bessemer_tests::random::Random;
 use bessemer_tests::{harness, toolchain};
 
 use super::native;
-use super::source::{Crate, LaidOut};
+use super::source::{self, Crate, LaidOut};
 
 /// Number of calls of each function with edge values, and with small numbers.
 const CALLS: usize = 200;
@@ -62,6 +62,7 @@ pub fn compare(of: &Crate, laid: &LaidOut, say: &dyn Fn(&str)) -> Result<Counts,
     say("calls");
     let module = &compiled.module;
     let mut random = Random(7);
+    let absent = source::expected(&laid.workspace.join("marked/src"))?;
     let mut cases = Vec::new();
     for (index, function) in laid.functions.iter().enumerate() {
         let at = module.functions.iter().position(|it| {
@@ -87,7 +88,7 @@ pub fn compare(of: &Crate, laid: &LaidOut, say: &dyn Fn(&str)) -> Result<Counts,
         }
         let ask = |side: usize| {
             let flat: Vec<_> = calls.iter().map(|it| (2 * index + side, it.concat())).collect();
-            native::run(&program, &flat)
+            native::run(&program, &flat, &absent)
         };
         let (original, marked) = (ask(0)?, ask(1)?);
         let result = module.functions[at].result.clone();

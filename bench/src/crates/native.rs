@@ -5,6 +5,7 @@ use std::io::{Read as _, Write as _};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
+use bessemer_ir::Fault;
 use bessemer_tests::outcome::{Outcome, fault};
 
 use super::signature::Signature;
@@ -89,8 +90,13 @@ pub fn build(workspace: &Path, package: &str) -> Result<String, String> {
     Err(if said.is_empty() { String::from_utf8_lossy(&output.stderr).into_owned() } else { said })
 }
 
-/// Makes calls, each by the number of a function and the words of its arguments.
-pub fn run(program: &str, calls: &[(usize, Vec<u64>)]) -> Result<Vec<Outcome>, String> {
+/// Makes calls, each by the number of a function and the words of its arguments. A panic with one of the messages `absent` is
+/// that of an `expect`.
+pub fn run(
+    program: &str,
+    calls: &[(usize, Vec<u64>)],
+    absent: &[String],
+) -> Result<Vec<Outcome>, String> {
     let failed = |error: std::io::Error| format!("the native program: {error}");
     let mut child = Command::new(program)
         .stdin(Stdio::piped())
@@ -113,7 +119,7 @@ pub fn run(program: &str, calls: &[(usize, Vec<u64>)]) -> Result<Vec<Outcome>, S
     child.wait().map_err(failed)?;
     let mut rest = bytes.as_slice();
     let mut outcomes = Vec::new();
-    while let Some(outcome) = read(&mut rest) {
+    while let Some(outcome) = read(&mut rest, absent) {
         outcomes.push(outcome);
     }
     if outcomes.len() == calls.len() {
@@ -122,13 +128,15 @@ pub fn run(program: &str, calls: &[(usize, Vec<u64>)]) -> Result<Vec<Outcome>, S
     Err(format!("the native program ended in call {} of {}", outcomes.len(), calls.len()))
 }
 
-fn read(rest: &mut &[u8]) -> Option<Outcome> {
+fn read(rest: &mut &[u8], absent: &[String]) -> Option<Outcome> {
     let count = word(rest)?;
     if count == u64::MAX {
         let length = usize::try_from(word(rest)?).ok()?;
         let (text, after) = rest.split_at_checked(length)?;
         *rest = after;
-        return Some(Err(fault(&String::from_utf8_lossy(text))));
+        let text = String::from_utf8_lossy(text);
+        let expected = absent.iter().any(|message| text.starts_with(message.as_str()));
+        return Some(Err(if expected { Fault::Absent } else { fault(&text) }));
     }
     (0..count).map(|_| word(rest)).collect::<Option<Vec<u64>>>().map(Ok)
 }

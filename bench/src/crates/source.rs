@@ -121,7 +121,7 @@ pub fn lay_out(of: &Crate, sources: &Path) -> Result<LaidOut, String> {
         let text = read(&library)?;
         let named = |line: &&str| side == "original" && line.starts_with("#![crate_name");
         let text: Vec<&str> = text.lines().filter(|line| !named(line)).collect();
-        write(&library, &format!("{}\npub mod drive;\n", text.join("\n")))?;
+        write(&library, &format!("{}\n#[allow(missing_docs)]\npub mod drive;\n", text.join("\n")))?;
         let drive = if side == "marked" { driven(&drive) } else { drive.clone() };
         write(&folder.join("src/drive.rs"), &drive)?;
         let manifest = manifest(of, &read(&folder.join("Cargo.toml"))?, side);
@@ -305,6 +305,27 @@ fn copy(from: &Path, to: &Path) -> Result<(), String> {
         }
     }
     Ok(())
+}
+
+/// Returns the messages of the `expect`s in the sources of a folder, each a literal.
+///
+/// # Errors
+///
+/// An error of the file system.
+pub fn expected(folder: &Path) -> Result<Vec<String>, String> {
+    let failed = |error: std::io::Error| format!("`{}`: {error}", folder.display());
+    let mut messages = Vec::new();
+    for entry in fs::read_dir(folder).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        if path.is_dir() {
+            messages.extend(expected(&path)?);
+        } else if path.extension().is_some_and(|it| it == "rs") {
+            let text = read(&path)?;
+            let calls = text.split(".expect(\"").skip(1);
+            messages.extend(calls.filter_map(|it| Some(it.split_once('"')?.0.to_owned())));
+        }
+    }
+    Ok(messages)
 }
 
 fn read(path: &Path) -> Result<String, String> {

@@ -515,6 +515,7 @@ fn methods(
 ) -> (TokenStream, TokenStream) {
     refuse_lifetimes(kind, &it.generics, refusals);
     lower::name_lifetimes(&mut it);
+    lower::name_owner(&mut it);
     for item in &mut it.items {
         if let syn::ImplItem::Fn(method) = item {
             imports::write_out(&method.sig, &mut method.block);
@@ -556,7 +557,7 @@ fn methods(
     }
     it.items.extend(owned);
     if !more {
-        beside.extend(instance::one_block(&it, &faces));
+        beside.extend(instance::block(&it, &faces));
     }
     (it.into_token_stream(), beside)
 }

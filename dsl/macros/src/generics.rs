@@ -158,16 +158,24 @@ impl<'a> Scope<'a> {
 
     /// Returns the bounds that a generation build adds to the types' own.
     pub fn values(self) -> impl Iterator<Item = TokenStream> {
-        self.types().flat_map(move |name| {
-            let both = self.outer.into_iter().chain(self.own);
-            let bounds: Vec<_> = both.flat_map(|generics| bounds_of(generics, name)).collect();
-            let asked = bounds.iter().filter_map(|bound| conversion(bound));
-            let asked = asked.flat_map(|(of, other)| of.predicates(&quote! { #name }, other));
-            let numeric = bounds.iter().flat_map(|bound| numeric::companions(bound));
-            let numeric = numeric.map(|path| quote! { #name: #path });
-            let more: Vec<_> = asked.chain(numeric).collect();
-            std::iter::once(self.value(name)).chain(more)
-        })
+        self.types()
+            .flat_map(move |name| {
+                let both = self.outer.into_iter().chain(self.own);
+                let bounds: Vec<_> = both.flat_map(|generics| bounds_of(generics, name)).collect();
+                let asked = bounds.iter().filter_map(|bound| conversion(bound));
+                let asked = asked.flat_map(|(of, other)| of.predicates(&quote! { #name }, other));
+                let numeric = bounds.iter().flat_map(|bound| numeric::companions(bound));
+                let numeric = numeric.map(|path| quote! { #name: #path });
+                let more: Vec<_> = asked.chain(numeric).collect();
+                std::iter::once(self.value(name)).chain(more)
+            })
+            .chain(self.conversions())
+    }
+
+    /// Returns the bounds for conversions to types that are no parameters, `Radians: From<T>`.
+    fn conversions(self) -> impl Iterator<Item = TokenStream> {
+        let both = self.outer.into_iter().chain(self.own);
+        both.flat_map(conversions)
     }
 
     /// Returns names and arguments of the parameters, for a builder.
@@ -235,21 +243,6 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// Returns true if all arguments of `ty` are parameters, so a block for it applies to every instance.
-    pub fn is_for_all(self, ty: &syn::Type) -> bool {
-        let syn::Type::Path(path) = ty else { return true };
-        let arguments = path.path.segments.last().map(|last| &last.arguments);
-        let Some(syn::PathArguments::AngleBracketed(arguments)) = arguments else { return true };
-        let is_parameter = |argument: &syn::GenericArgument| {
-            let text = argument.to_token_stream().to_string();
-            self.params().any(|param| name(param).to_string() == text)
-        };
-        arguments
-            .args
-            .iter()
-            .all(|it| matches!(it, syn::GenericArgument::Lifetime(_)) || is_parameter(it))
-    }
-
     /// Returns true if `ty` names one of the parameters.
     pub fn is_named_in(self, ty: &syn::Type) -> bool {
         let names: Vec<_> = self.params().map(|param| name(param).to_string()).collect();
@@ -300,6 +293,25 @@ pub fn conversion(bound: &syn::TypeParamBound) -> Option<(Conversion, &syn::Type
         syn::GenericArgument::Type(other) => Some((of, other)),
         _ => None,
     }
+}
+
+/// Returns the bounds that `where` clauses imply for conversions to types that are no parameters, `Radians: From<T>`.
+pub fn conversions(generics: &syn::Generics) -> Vec<TokenStream> {
+    let is_parameter = |ty: &syn::Type| match ty {
+        syn::Type::Path(it) => generics.type_params().any(|param| it.path.is_ident(&param.ident)),
+        _ => false,
+    };
+    let clause = generics.where_clause.iter().flat_map(|clause| &clause.predicates);
+    let of_others = clause.filter_map(|predicate| match predicate {
+        syn::WherePredicate::Type(it) if !is_parameter(&it.bounded_ty) => Some(it),
+        _ => None,
+    });
+    of_others
+        .flat_map(|it| {
+            it.bounds.iter().filter_map(conversion).map(move |(of, other)| (it, of, other))
+        })
+        .flat_map(|(it, of, other)| of.predicates(&it.bounded_ty.to_token_stream(), other))
+        .collect()
 }
 
 /// Returns the name of a parameter; a lifetime without its tick.

@@ -1,5 +1,8 @@
 //! Instances of generic types with an author's name, which are in the C.
 
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -11,31 +14,35 @@ use crate::implied;
 use crate::lower::{self, Refusals, refuse};
 use crate::place;
 
-/// Returns the methods of a named instance that are in the C: those of a generic block, by the names of their
-/// builders. Two such blocks would be ambiguous.
-pub fn one_block(it: &syn::ItemImpl, faces: &[syn::Ident]) -> TokenStream {
+/// Number of blocks of one type whose methods a named instance has.
+const BLOCKS: usize = 16;
+
+/// Returns the number of a block among those of types of its name. rustc expands the attributes of a crate one after
+/// the other, in one process; beyond the last number it reports two blocks of one number.
+fn number(owner: &syn::Type) -> usize {
+    static COUNTS: Mutex<BTreeMap<String, usize>> = Mutex::new(BTreeMap::new());
+    let mut counts = COUNTS.lock().unwrap_or_else(PoisonError::into_inner);
+    let name = lower::last_ident(owner).map(lower::text).unwrap_or_default();
+    let count = counts.entry(name).or_default();
+    *count += 1;
+    (*count - 1) % BLOCKS
+}
+
+/// Returns the methods of a named instance that are in the C: those of a generic type's block, by the names of their
+/// builders.
+pub fn block(it: &syn::ItemImpl, faces: &[syn::Ident]) -> TokenStream {
     let scope = Scope::of_type(&it.generics);
-    if !scope.is_generic() || faces.is_empty() {
+    if !lower::generating() || !scope.is_generic() || faces.is_empty() {
         return TokenStream::new();
     }
-    let (declared, owner) = (scope.declared(), &it.self_ty);
-    let bounds = match lower::generating() {
-        true => scope.value_bounds(builder::owner_bound(scope, &quote! { #owner })),
-        false => scope.bounds([]),
-    };
-    let build = lower::generating().then(|| {
-        quote! {
+    let (declared, owner, number) = (scope.declared(), &it.self_ty, number(&it.self_ty));
+    let bounds = scope.value_bounds(builder::owner_bound(scope, &quote! { #owner }));
+    quote! {
+        impl #declared ::bessemer::generate::EntriesOfBlock<#number> for #owner #bounds {
             fn build(__cx: &mut ::bessemer::generate::Builder) {
                 #(Self::#faces(__cx);)*
             }
         }
-    });
-    let of = match scope.is_for_all(owner) {
-        true => quote! { EntriesInOneBlock },
-        false => quote! { EntriesOfSomeInstances },
-    };
-    quote! {
-        impl #declared ::bessemer::#of for #owner #bounds { #build }
     }
 }
 
@@ -52,7 +59,7 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
     }
     let (name, docs) = (&it.ident, docs::lines(&it.attrs));
     let (named, site) = (place::named(name), place::site(name));
-    let implied = implied::ask(&quote! { #name });
+    let (implied, blocks) = (implied::ask(&quote! { #name }), 0..BLOCKS);
     let registered = place::registered(
         name,
         &quote! {
@@ -61,9 +68,7 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
                 use ::bessemer::generate::WithoutEntries as _;
                 __cx.alias::<#name>(#named, &[#(#docs),*], #site, #given);
                 #implied
-                let instance = ::bessemer::generate::Instance::<#name>::new();
-                instance.build_entries(__cx);
-                instance.build_further_entries(__cx);
+                #(::bessemer::generate::Instance::<#name, #blocks>::new().build_entries(__cx);)*
             })
         },
     );

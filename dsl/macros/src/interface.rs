@@ -249,7 +249,7 @@ pub fn implementation(
     it.items.extend(hidden);
     let scope = Scope::of_type(&it.generics);
     let mut beside = marked(scope, &it.self_ty, &path);
-    beside.extend(instance::one_block(&it, &faces));
+    beside.extend(instance::block(&it, &faces));
     if !scope.is_generic() {
         let (owner, path) = (lower::lasting_type(&it.self_ty), lower::lasting_path(&path));
         beside.extend(builds.iter().map(|(name, build)| {

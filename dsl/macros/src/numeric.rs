@@ -11,17 +11,34 @@ use crate::imports::{self, text};
 
 /// Bounds that others imply.
 const IMPLIED: [(&str, &[&str]); 10] = [
-    ("Float", &["NumCast", "ToPrimitive"]),
-    ("FloatCore", &["NumCast", "ToPrimitive"]),
-    ("Real", &["NumCast", "ToPrimitive"]),
+    ("Float", &["NumCast", "ToPrimitive", "PartialOrd"]),
+    ("FloatCore", &["NumCast", "ToPrimitive", "PartialOrd"]),
+    ("Real", &["NumCast", "ToPrimitive", "PartialOrd"]),
     ("NumCast", &["NumCast", "ToPrimitive"]),
     ("Num", &["Zero", "One"]),
     ("NumAssign", &["Zero", "One"]),
     ("Unsigned", &["Zero", "One"]),
     ("Signed", &["Zero", "One", "Signed"]),
     ("Saturating", &["Saturating"]),
-    ("PrimInt", &["Zero", "One", "NumCast", "ToPrimitive", "Bounded", "Saturating", "PrimInt"]),
+    (
+        "PrimInt",
+        &[
+            "Zero",
+            "One",
+            "NumCast",
+            "ToPrimitive",
+            "Bounded",
+            "Saturating",
+            "PrimInt",
+            "PartialOrd",
+            "Ord",
+        ],
+    ),
 ];
+
+/// Bounds of core, and the companions that each implies.
+const ORDERS: [(&str, &[&str]); 2] =
+    [("PartialOrd", &["PartialOrd"]), ("Ord", &["PartialOrd", "Ord"])];
 
 /// Bounds whose companions are in a trait of their name.
 const OWN: [&str; 24] = [
@@ -56,11 +73,14 @@ pub fn companions(bound: &TypeParamBound) -> Vec<TokenStream> {
     let TypeParamBound::Trait(bound) = bound else { return Vec::new() };
     let Some(last) = bound.path.segments.last() else { return Vec::new() };
     let name = text(&last.ident);
-    let implied = IMPLIED.iter().find(|(of, _)| *of == name).map(|(_, implied)| *implied);
-    let own = OWN.iter().find(|it| **it == name).map(std::slice::from_ref);
-    let Some(names) = implied.or(own).filter(|_| is_of_num_traits(&bound.path)) else {
-        return Vec::new();
+    let known = |table: &'static [(&str, &[&str])]| {
+        table.iter().find(|(of, _)| *of == name).map(|(_, implied)| *implied)
     };
+    let own = OWN.iter().find(|it| **it == name).map(std::slice::from_ref);
+    let numeric = known(&IMPLIED).or(own).filter(|_| is_of_num_traits(&bound.path));
+    // `PartialOrd<f32>` compares with another type.
+    let order = known(&ORDERS).filter(|_| last.arguments.is_empty());
+    let Some(names) = numeric.or(order) else { return Vec::new() };
     let arguments = &last.arguments;
     let path = |name: &&str| {
         let name = format_ident!("Any{name}Builtins");

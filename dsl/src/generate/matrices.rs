@@ -212,11 +212,6 @@ constructors! {
     New16(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l, _m, _n, _o, _p) for (4, 4);
 }
 
-// `view.into()`: what is read is a copy already.
-converts! {
-    [T: Element, const R: usize, const C: usize] SMatrix<T, R, C> => SMatrix<T, R, C>: Owned;
-}
-
 /// Defines companions of `Vector3::from([x, y, z])` and `Matrix2::from([[a, c], [b, d]])`, by columns, and of the
 /// reverse conversions.
 macro_rules! from_arrays {

@@ -39,7 +39,8 @@ pub use numbers::{FromBuiltin, TryFromBuiltin};
 pub use operators::{Implements, Operates, Operation, sign};
 pub use own::{Asked, NotImplemented, Own};
 pub use slot::{
-    Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, constant, list,
+    Called, DslType, EntriesOfBlock, Instance, ScalarType, Seen, Slot, Value, WithoutEntries,
+    constant, list,
 };
 
 /// Imports of a builder; their names begin with `__`, so they never conflict with an author's.

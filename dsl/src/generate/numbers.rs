@@ -172,6 +172,12 @@ companions! {
 }
 
 impl<T, U: FromBuiltin<T>> IntoBuiltin<U> for T {}
+
+/// Each type is its own conversion, as in core.
+impl<T> FromBuiltin<T> for T {
+    type Marker = super::matrices::Owned;
+}
+
 impl<T, U: TryFromBuiltin<T>> TryIntoBuiltin<U> for T {}
 
 /// Defines the functions of each integer type.
@@ -298,18 +304,18 @@ macro_rules! conversions {
 }
 
 conversions! {
-    i8: bool i8;
-    i16: bool i8 i16 u8;
-    i32: bool i8 i16 i32 u8 u16;
-    i64: bool i8 i16 i32 i64 u8 u16 u32;
-    isize: bool i8 i16 isize u8;
-    u8: bool u8;
-    u16: bool u8 u16;
-    u32: bool u8 u16 u32 char;
-    u64: bool u8 u16 u32 u64;
-    usize: bool u8 u16 usize;
-    f32: i8 i16 u8 u16 f32;
-    f64: i8 i16 i32 u8 u16 u32 f32 f64;
+    i8: bool;
+    i16: bool i8 u8;
+    i32: bool i8 i16 u8 u16;
+    i64: bool i8 i16 i32 u8 u16 u32;
+    isize: bool i8 i16 u8;
+    u8: bool;
+    u16: bool u8;
+    u32: bool u8 u16 char;
+    u64: bool u8 u16 u32;
+    usize: bool u8 u16;
+    f32: i8 i16 u8 u16;
+    f64: i8 i16 i32 u8 u16 u32 f32;
     // Bytes as characters, and characters as their code points.
     char: u8;
 }

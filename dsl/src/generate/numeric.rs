@@ -5,6 +5,7 @@
 
 #![allow(missing_docs, non_camel_case_types)]
 
+use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use alloc::format;
@@ -17,6 +18,7 @@ use super::builder::{Builder, Callee, type_text};
 use super::companions::{calls, companions};
 use super::numbers::{self, IntegerBuiltins};
 use super::slot::{Called, DslType};
+use crate::comparison;
 use crate::math::constants;
 
 /// A function that each scalar has in an instance of its own.
@@ -184,6 +186,23 @@ companions! {
         fn __b_rotate_right(self, _bits: u32) -> Self = [numbers::RotateRight];
         fn __b_swap_bytes(self) -> Self = [numbers::SwapBytes];
         fn __b_pow(self, _exponent: u32) -> Self = [OfScalar<Self, Pow>];
+        fn __b_min(self, _other: Self) -> Self = [numbers::Min];
+        fn __b_max(self, _other: Self) -> Self = [numbers::Max];
+        fn __b_clamp(self, _low: Self, _high: Self) -> Self = [numbers::Clamp];
+        fn __b_signed_shl(self, _bits: u32) -> Self = ShiftLeft: Number(NumberMethod::ShiftLeft);
+        fn __b_unsigned_shl(self, _bits: u32) -> Self = ShiftLeft;
+        fn __b_signed_shr(self, _bits: u32) -> Self = SignedShr: Number(NumberMethod::SignedShr);
+        fn __b_unsigned_shr(self, _bits: u32) -> Self = UnsignedShr: Number(NumberMethod::UnsignedShr);
+        fn __b_to_le(self) -> Self = [numbers::From];
+        fn __b_to_be(self) -> Self = [numbers::SwapBytes];
+        fn __b_from_le(_word: Self) -> Self = [numbers::From];
+        fn __b_from_be(_word: Self) -> Self = [numbers::SwapBytes];
+    }
+    pub trait AnyPartialOrdBuiltins: Sized {
+        fn __b_partial_cmp(&self, _other: &Self) -> Option<Ordering> = [comparison::__function_partial<Self>];
+    }
+    pub trait AnyOrdBuiltins: Sized {
+        fn __b_cmp(&self, _other: &Self) -> Ordering = [comparison::__function_compare<Self>];
     }
     pub trait AnySaturatingBuiltins: Sized {
         fn __b_saturating_add(self, _other: Self) -> Self = [numbers::SaturatingAdd];
@@ -247,6 +266,7 @@ for_all! {
     AnyZeroBuiltins AnyOneBuiltins AnyBoundedBuiltins AnySignedBuiltins AnyNumCastBuiltins AnyEuclidBuiltins
     AnyToPrimitiveBuiltins AnyFromPrimitiveBuiltins AnyPrimIntBuiltins AnySaturatingBuiltins AnyWrappingNegBuiltins
     AnyWrappingShlBuiltins AnyWrappingShrBuiltins AnyCheckedNegBuiltins AnyCheckedShlBuiltins AnyCheckedShrBuiltins
+    AnyPartialOrdBuiltins AnyOrdBuiltins
 }
 
 impl<T, U> AnyAsPrimitiveBuiltins<U> for T {}

@@ -10,7 +10,7 @@ use bessemer_tree::number::{Float, Int, Scalar};
 use nalgebra::SMatrix;
 
 use super::builder::{Builder, Callee, Witness, words};
-use crate::{EntriesInOneBlock, EntriesOfSomeInstances, List, Plain};
+use crate::{List, Plain};
 
 /// A slot for a type, created as `[]`.
 ///
@@ -51,40 +51,41 @@ pub trait Value: DslType + Seen<Slot = Self> + Plain + Sized + 'static {}
 
 impl<T: DslType + Seen<Slot = T> + Plain + 'static> Value for T {}
 
-/// Query for the entry points of a named instance.
-pub struct Instance<T>(Of<T>);
+/// A block of a generic type whose methods are in the C for a named instance: `#[component] pub type PidF32 = Pid<f32>;`.
+///
+/// Only the attribute of the `impl` block implements it: for the entry points of a generic component, and the public methods
+/// of generic data. `BLOCK` numbers the blocks of a type, which may apply to different instances: `impl Pid<f32>` beside
+/// `impl<T> Pid<T>`.
+pub trait EntriesOfBlock<const BLOCK: usize> {
+    /// Builds them.
+    fn build(cx: &mut Builder);
+}
 
-impl<T> Instance<T> {
+/// Query for the entry points that a block has for a named instance.
+pub struct Instance<T, const BLOCK: usize>(Of<T>);
+
+impl<T, const BLOCK: usize> Instance<T, BLOCK> {
     /// Returns the query for the instance `T`.
     #[allow(clippy::new_without_default)]
-    pub fn new() -> Instance<T> {
+    pub fn new() -> Instance<T, BLOCK> {
         Instance(PhantomData)
     }
 }
 
-impl<T: EntriesInOneBlock> Instance<T> {
+impl<T: EntriesOfBlock<BLOCK>, const BLOCK: usize> Instance<T, BLOCK> {
     /// Builds the entry points.
     pub fn build_entries(&self, cx: &mut Builder) {
         T::build(cx);
     }
 }
 
-impl<T: EntriesOfSomeInstances> Instance<T> {
-    /// Builds the entry points that only some instances have.
-    pub fn build_further_entries(&self, cx: &mut Builder) {
-        T::build(cx);
-    }
-}
-
-/// Answer for an instance without entry points; an inherent method has priority.
+/// Answer where there is no such block, or none for this instance; an inherent method has priority.
 pub trait WithoutEntries {
     /// Builds nothing.
     fn build_entries(&self, _: &mut Builder) {}
-    /// Builds nothing.
-    fn build_further_entries(&self, _: &mut Builder) {}
 }
 
-impl<T> WithoutEntries for Instance<T> {}
+impl<T, const BLOCK: usize> WithoutEntries for Instance<T, BLOCK> {}
 
 /// Represents `&T` in a slot.
 pub struct Shared<T: ?Sized>(PhantomData<T>);

@@ -62,7 +62,7 @@ builtins! {
         WrappingNeg, WrappingAbs, SwapBytes, IsPowerOfTwo, From,
         CountOnes, CountZeros, LeadingZeros, LeadingOnes, TrailingZeros, TrailingOnes,
         DivEuclid, RemEuclid, WrappingDiv, WrappingRem, AbsDiff,
-        WrappingShl, WrappingShr, RotateLeft, RotateRight,
+        WrappingShl, WrappingShr, RotateLeft, RotateRight, ShiftLeft, UnsignedShr, SignedShr,
     }
 
     /// Order of the bytes of a number.

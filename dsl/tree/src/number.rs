@@ -62,6 +62,17 @@ impl Int {
         }
     }
 
+    /// Returns the signed type of this width.
+    pub const fn with_sign(self) -> Int {
+        match self {
+            Int::I8 | Int::U8 => Int::I8,
+            Int::I16 | Int::U16 => Int::I16,
+            Int::I32 | Int::U32 => Int::I32,
+            Int::I64 | Int::U64 => Int::I64,
+            Int::Isize | Int::Usize => Int::Isize,
+        }
+    }
+
     /// Returns the smallest value.
     pub const fn min(self) -> i128 {
         if self.signed() { -(1i128 << (self.bits() - 1)) } else { 0 }

@@ -85,6 +85,9 @@ fn spelt_out(
         M::AbsDiff => Expr::intrinsic(Intrinsic::AbsDiff, vec![x, by?]),
         M::WrappingShl => Expr::binary(BinaryOp::Shl, x, masked(by?, int?)),
         M::WrappingShr => Expr::binary(BinaryOp::Shr, x, masked(by?, int?)),
+        M::ShiftLeft => Expr::binary(BinaryOp::Shl, x, by?),
+        M::UnsignedShr => Expr::binary(BinaryOp::Shr, unsigned(x), by?).cast(ty),
+        M::SignedShr => Expr::binary(BinaryOp::Shr, x.cast(&of(int?.with_sign())), by?).cast(ty),
         M::RotateLeft | M::RotateRight => {
             let by = by?;
             let mut places = [masked(by.clone(), int?), masked(negative(by, span), int?)];
@@ -159,6 +162,7 @@ impl Lowering<'_, '_> {
         // What literal operands are expected to be.
         let expected = match method {
             M::WrappingShl | M::WrappingShr | M::RotateLeft | M::RotateRight => [same, Some(U32)],
+            M::ShiftLeft | M::UnsignedShr | M::SignedShr => [same, Some(U32)],
             M::IsSignNegative | M::IsSignPositive | M::IsNegative | M::IsPositive => [None, None],
             M::CountOnes | M::LeadingOnes | M::TrailingOnes => [None, None],
             M::CountZeros | M::LeadingZeros | M::TrailingZeros => [None, None],

@@ -46,6 +46,6 @@ pub use signature::{
     Parameter, borrows, check_field, check_type, gives_reference, lends, name_parts, named_part,
     parameters,
 };
-pub use strip::{check_attributes, lasting_path, lasting_type, name_lifetimes, strip};
+pub use strip::{check_attributes, lasting_path, lasting_type, name_lifetimes, name_owner, strip};
 pub use syntax::last_ident;
 pub use walk::{Begin, Constant, Lowering};

@@ -61,6 +61,29 @@ pub fn name_lifetimes(block: &mut syn::ItemImpl) {
     block.generics.params = declared.chain(std::mem::take(&mut block.generics.params)).collect();
 }
 
+/// Writes the type of an `impl` block for `Self` in its bounds: items beside the block have these bounds, too.
+pub fn name_owner(block: &mut syn::ItemImpl) {
+    struct Owner(syn::Type);
+    impl VisitMut for Owner {
+        fn visit_type_mut(&mut self, ty: &mut syn::Type) {
+            match ty {
+                syn::Type::Path(it) if it.path.is_ident("Self") => *ty = self.0.clone(),
+                _ => visit_mut::visit_type_mut(self, ty),
+            }
+        }
+    }
+    let mut owner = Owner((*block.self_ty).clone());
+    let of_methods = block.items.iter_mut().filter_map(|item| match item {
+        syn::ImplItem::Fn(method) => Some(&mut method.sig.generics),
+        _ => None,
+    });
+    for generics in std::iter::once(&mut block.generics).chain(of_methods) {
+        if let Some(clause) = &mut generics.where_clause {
+            owner.visit_where_clause_mut(clause);
+        }
+    }
+}
+
 /// Returns the type of an `impl` block with lifetimes `'static`, for items beside the block, where its lifetimes are
 /// not in scope.
 pub fn lasting_type(ty: &syn::Type) -> syn::Type {
