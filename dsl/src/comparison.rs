@@ -47,6 +47,42 @@ pub fn compare<T: Copy + Ord>(one: T, other: T) -> Native {
     }
 }
 
+/// `one.eq(&other)`.
+#[function(expand)]
+pub fn equal<T: Copy + PartialEq>(one: T, other: T) -> bool {
+    one == other
+}
+
+/// `one.ne(&other)`.
+#[function(expand)]
+pub fn unequal<T: Copy + PartialEq>(one: T, other: T) -> bool {
+    one != other
+}
+
+/// `one.lt(&other)`.
+#[function(expand)]
+pub fn below<T: Copy + PartialOrd>(one: T, other: T) -> bool {
+    one < other
+}
+
+/// `one.le(&other)`.
+#[function(expand)]
+pub fn at_most<T: Copy + PartialOrd>(one: T, other: T) -> bool {
+    one <= other
+}
+
+/// `one.gt(&other)`.
+#[function(expand)]
+pub fn above<T: Copy + PartialOrd>(one: T, other: T) -> bool {
+    one > other
+}
+
+/// `one.ge(&other)`.
+#[function(expand)]
+pub fn at_least<T: Copy + PartialOrd>(one: T, other: T) -> bool {
+    one >= other
+}
+
 #[library(OrderingCompanions)]
 impl Native {
     /// Returns this order, or the result of `f` if it is `Equal`.

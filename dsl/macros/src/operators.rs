@@ -35,6 +35,8 @@ pub enum Known {
 pub fn known(path: &syn::Path) -> Option<Known> {
     let name = last(path);
     match name.as_str() {
+        // An order of one type is the derived one.
+        "PartialOrd" => return argument(path).map(|_| Known::Operator),
         "Neg" | "Not" | "PartialEq" | "Index" | "IndexMut" => return Some(Known::Operator),
         "From" | "TryFrom" => return Some(Known::Conversion),
         "FromIterator" | "Extend" => return Some(Known::Gathering),
@@ -58,11 +60,11 @@ pub fn implementation(
 ) -> (TokenStream, TokenStream) {
     let Some((path, _)) = it.trait_.clone() else { return Default::default() };
     let other = argument(&path).unwrap_or_else(|| (*it.self_ty).clone());
-    if last(&path) == "PartialEq" {
+    if matches!(last(&path).as_str(), "PartialEq" | "PartialOrd") {
         if Scope::of_type(&it.generics).types().next().is_some() {
             refusals.add(&it.generics, refuse::GENERIC_EQUALITY);
         }
-        check_equality(&it, &other, refusals);
+        check_comparison(&it, (&path, &other), refusals);
     }
     let operand = Some(&other).filter(|_| known != Known::Gathering);
     for ty in [Some(&*it.self_ty), operand].into_iter().flatten() {
@@ -135,17 +137,23 @@ fn gone_through(owner: &syn::Type) -> Option<TokenStream> {
     Some(quote! { const _: () = { #registered }; })
 }
 
-/// Refuses `==` of two types, and an own `!=`: it compares values of one type, and `!=` is its negation.
-fn check_equality(it: &syn::ItemImpl, other: &syn::Type, refusals: &mut Refusals) {
+/// Refuses an own order of one type, and an own `!=`, `<` and the like, which `eq` and `partial_cmp` determine.
+fn check_comparison(
+    it: &syn::ItemImpl,
+    (path, other): (&syn::Path, &syn::Type),
+    refusals: &mut Refusals,
+) {
     let text = |ty: &syn::Type| ty.to_token_stream().to_string();
-    if text(other) != text(&it.self_ty) {
-        refusals.add(other, refuse::TWO_TYPES_EQUAL);
+    let orders = last(path) == "PartialOrd";
+    if orders && text(other) == text(&it.self_ty) {
+        refusals.add(path, refuse::OWN_ORDER);
     }
     for item in &it.items {
-        if let syn::ImplItem::Fn(method) = item
-            && method.sig.ident == "ne"
-        {
-            refusals.add(&method.sig.ident, refuse::OWN_UNEQUAL);
+        let syn::ImplItem::Fn(method) = item else { continue };
+        match lower::text(&method.sig.ident).as_str() {
+            "ne" => refusals.add(&method.sig.ident, refuse::OWN_UNEQUAL),
+            "lt" | "le" | "gt" | "ge" => refusals.add(&method.sig.ident, refuse::OWN_LESS),
+            _ => {}
         }
     }
 }

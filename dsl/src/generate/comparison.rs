@@ -40,6 +40,15 @@ companions! {
         fn __b_partial_cmp(&self, _other: &Self) -> Option<Ordering> where Self: PartialOrd
             = [comparison::__function_partial<Self>];
     }
+    /// Companions of the methods by which `==`, `<` and the like may be written.
+    pub trait EqualBuiltins: Sized {
+        fn __b_eq(&self, _other: &Self) -> bool where Self: PartialEq = [comparison::__function_equal<Self>];
+        fn __b_ne(&self, _other: &Self) -> bool where Self: PartialEq = [comparison::__function_unequal<Self>];
+        fn __b_lt(&self, _other: &Self) -> bool where Self: PartialOrd = [comparison::__function_below<Self>];
+        fn __b_le(&self, _other: &Self) -> bool where Self: PartialOrd = [comparison::__function_at_most<Self>];
+        fn __b_gt(&self, _other: &Self) -> bool where Self: PartialOrd = [comparison::__function_above<Self>];
+        fn __b_ge(&self, _other: &Self) -> bool where Self: PartialOrd = [comparison::__function_at_least<Self>];
+    }
     /// Companions of `min`, `max` and `clamp` for these types.
     pub trait RankedOrderBuiltins: Sized {
         fn __b_min(self, _other: Self) -> Self = [comparison::__function_lesser<Self>];
@@ -61,6 +70,7 @@ companions! {
 }
 
 impl<T: Compared + Copy> CompareBuiltins for T {}
+impl<T: Value + Copy> EqualBuiltins for T {}
 impl<T: Ranked + Copy + Ord> RankedOrderBuiltins for T {}
 impl<T: Value + Real> FloatCompareBuiltins for T {}
 

@@ -19,7 +19,7 @@ use super::slot::{Of, ScalarType, Seen, Slot, Tells};
 use super::spatial;
 
 /// Traits whose functions have no call in the source and no operator.
-const IMPLIED: [&str; 5] = ["PartialEq", "From", "Index", "IndexMut", tree::ITERATOR];
+const IMPLIED: [&str; 6] = ["PartialEq", "PartialOrd", "From", "Index", "IndexMut", tree::ITERATOR];
 
 /// Marks operators whose operands have one type if both are numbers; a shift is by any number.
 pub trait OfOneType {}
@@ -54,7 +54,7 @@ pub(super) fn has_operand(interface: &str) -> bool {
 signs! {
     of one type: Add Sub Mul Div Rem BitAnd BitOr BitXor Neg Not
         AddAssign SubAssign MulAssign DivAssign RemAssign BitAndAssign BitOrAssign BitXorAssign;
-    others: Shl Shr ShlAssign ShrAssign PartialEq From TryFrom Index IndexMut FromIterator Extend Iterator
+    others: Shl Shr ShlAssign ShrAssign PartialEq PartialOrd From TryFrom Index IndexMut FromIterator Extend Iterator
 }
 
 /// An author's type with an operator or a conversion `O` for an operand of type `B`.

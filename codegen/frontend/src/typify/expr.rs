@@ -8,6 +8,7 @@ use bessemer_ir::{
 
 use super::expand::is_ours;
 use super::function::takes_closures;
+use super::implied::own_comparison;
 use super::kernels::{kernel_of, matrix_of_factors};
 use super::lengths::plus;
 use super::lowering::Lowering;
@@ -253,11 +254,13 @@ impl Lowering<'_, '_> {
         match (left.expr.is_unsuffixed(), right.expr.is_unsuffixed()) {
             (true, false) => {
                 let value = self.read(right.expr, None)?;
-                Ok([self.read(left.expr, Some(&value.ty))?, value])
+                let ty = self.cx.literal_beside(&value.ty, left.expr)?;
+                Ok([self.read(left.expr, Some(&ty))?, value])
             }
             (false, true) => {
                 let value = self.read(left.expr, None)?;
-                let literal = self.read(right.expr, Some(&value.ty))?;
+                let ty = self.cx.literal_beside(&value.ty, right.expr)?;
+                let literal = self.read(right.expr, Some(&ty))?;
                 Ok([value, literal])
             }
             _ => two(self.operands(&both)?, site),
@@ -312,6 +315,9 @@ impl Lowering<'_, '_> {
             return refused(site, refusals::NOTHING_COMPARED);
         }
         if ty != right.ty {
+            if let Some(own) = own_comparison(self, op, (&left, &right), site)? {
+                return Ok(own);
+            }
             // rustc compares numbers of one type only.
             let numbers = ty.is_word() && right.ty.is_word();
             let remedy = if numbers { OUR_FAULT } else { "convert one of them" };
@@ -522,7 +528,7 @@ pub(super) fn two<T>(values: Vec<T>, site: Site) -> Result<[T; 2]> {
     <[T; 2]>::try_from(values).ok().needed(site, "this takes two operands")
 }
 
-fn is_unsuffixed_float(expr: &tree::Expr) -> bool {
+pub(super) fn is_unsuffixed_float(expr: &tree::Expr) -> bool {
     match &expr.kind {
         tree::ExprKind::Float(_, None) => true,
         tree::ExprKind::Unary(_, operand) => is_unsuffixed_float(operand),

@@ -270,6 +270,10 @@ impl Context<'_> {
     fn qualified(&self, name: &str, module: &str) -> String {
         let homes = self.package.types.iter().filter(|it| it.name == name);
         let homes: Vec<&str> = homes.map(|it| it.module.as_str()).collect();
+        // `Option<F32>` of an author's `F32` is not the `Option<f32>` beside it.
+        if homes.len() < 2 && Scalar::from_name(&snake(name)).is_some() {
+            return format!("Own{name}");
+        }
         if homes.len() < 2 {
             return name.to_owned();
         }

@@ -4,10 +4,13 @@
 //! The types select the function. Its definition may follow its use, so it is lowered at the first use.
 
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, StructId, Type};
+use bessemer_ir::{Argument, CompareOp, Expr, ExprKind, FunctionId, LogicOp, Mode, StructId, Type};
 
+use super::expr::is_unsuffixed_float;
 use super::lowering::Lowering;
-use super::{Context, Problem, Result, diagnostic, function, problem, refusals, refused};
+use super::{
+    Context, Problem, Result, diagnostic, function, problem, refusals, refused, struct_of,
+};
 
 impl<'a> Context<'a> {
     /// Returns the function of a path, lowered now if it was not before; none if it was refused, which is reported.
@@ -47,6 +50,8 @@ impl<'a> Context<'a> {
     pub(super) fn note_implied(&mut self, implied: &'a [tree::Implied]) {
         for it in implied {
             match (it.of.as_str(), &it.owner) {
+                ("From" | "PartialOrd", _) => self.between.push(it),
+                ("PartialEq", _) if it.owner != it.other => self.between.push(it),
                 ("PartialEq", tree::Ty::Named(path)) => {
                     // Of what holds nothing no comparison is taken.
                     let ty = self.types.get(path).filter(|ty| **ty != Type::Unit);
@@ -54,7 +59,6 @@ impl<'a> Context<'a> {
                         self.note(&ty).own_equality = Some(&it.function);
                     }
                 }
-                ("From", _) => self.conversions.push(it),
                 ("Index" | "IndexMut", _) => self.note_indexing(it),
                 (tree::ITERATOR, _) => self.note_iterator(it),
                 _ => {}
@@ -91,6 +95,75 @@ impl Context<'_> {
                 _ => false,
             }
     }
+}
+
+impl<'a> Context<'a> {
+    /// Returns the functions of a trait for two types, each with these types.
+    fn between(&mut self, of: &str, site: Site) -> Result<Vec<(Type, Type, &'a str)>> {
+        let mut found = Vec::new();
+        for it in self.between.clone() {
+            if it.of == of {
+                let [one, other] = [&it.owner, &it.other].map(|ty| self.pointee(ty, site));
+                found.push((one?, other?, it.function.as_str()));
+            }
+        }
+        Ok(found)
+    }
+
+    /// Returns the type of an unsuffixed literal that is compared with a value: the value's, or the number with which its
+    /// author compares it.
+    pub(super) fn literal_beside(&mut self, ty: &Type, literal: &tree::Expr) -> Result<Type> {
+        if ty.is_word() {
+            return Ok(ty.clone());
+        }
+        let is_float = is_unsuffixed_float(literal);
+        let fits = |number: &Type| match is_float {
+            true => number.as_float().is_some(),
+            false => number.as_int().is_some(),
+        };
+        let mut compared = self.between("PartialEq", literal.site)?;
+        compared.extend(self.between("PartialOrd", literal.site)?);
+        let beside = compared.iter().find_map(|(one, other, _)| match (one, other) {
+            (one, number) | (number, one) if one == ty && fits(number) => Some(number),
+            _ => None,
+        });
+        Ok(beside.unwrap_or(ty).clone())
+    }
+}
+
+/// Lowers a comparison of two types by the author's implementation; none if there is none.
+pub(super) fn own_comparison(
+    lowering: &mut Lowering<'_, '_>,
+    op: CompareOp,
+    (left, right): (&Expr, &Expr),
+    site: Site,
+) -> Result<Option<Expr>> {
+    let equality = matches!(op, CompareOp::Eq | CompareOp::Ne);
+    let all = lowering.cx.between(if equality { "PartialEq" } else { "PartialOrd" }, site)?;
+    let found = all.iter().find(|(one, other, _)| *one == left.ty && *other == right.ty);
+    let Some((.., path)) = found else { return Ok(None) };
+    let sides = [left.clone(), right.clone()];
+    if equality {
+        let equal = lowering.call_implied(path, sides, Type::BOOL, site)?;
+        return Ok(Some(if op == CompareOp::Ne { equal.negated() } else { equal }));
+    }
+    let id = lowering.function_at(path, site)?;
+    let order = lowering.cx.module.functions[id.index()].result.clone();
+    let call = lowering.call_implied(path, sides, order.clone(), site)?;
+    let place = lowering.hold(call);
+    let id = struct_of(&order, site, "an `Option<Ordering>`")?;
+    let (there, order) = (lowering.tag_is(&place, id, 1), lowering.part(&place, id, 1));
+    // Less, Equal and Greater are the words 0, 1 and 2.
+    let (op, word) = match op {
+        CompareOp::Lt => (CompareOp::Eq, 0),
+        CompareOp::Le => (CompareOp::Ne, 2),
+        CompareOp::Gt => (CompareOp::Eq, 2),
+        _ => (CompareOp::Ne, 0),
+    };
+    let span = lowering.span(site);
+    let word = Expr::literal(word, order.ty.clone(), span);
+    let decided = Expr::compare(op, order.load(), word).at(span);
+    Ok(Some(Expr::logic(LogicOp::And, there, decided)))
 }
 
 impl Lowering<'_, '_> {
@@ -137,12 +210,10 @@ impl Lowering<'_, '_> {
                 return Ok(error.zip(wanted).map(|(error, wanted)| error.cast(wanted).at(span)));
             }
             (Some(error), Some(wanted)) => {
-                for it in self.cx.conversions.clone() {
-                    let [to, from] = [&it.owner, &it.other].map(|ty| self.cx.pointee(ty, site));
-                    if to? == *wanted && from? == error.ty {
-                        found.push(it.function.as_str());
-                    }
-                }
+                let all = self.cx.between("From", site)?;
+                let meant =
+                    all.into_iter().filter(|(to, from, _)| to == wanted && *from == error.ty);
+                found.extend(meant.map(|(.., path)| path));
             }
             // Types that hold nothing are told apart by their names alone.
             _ => {
@@ -153,8 +224,10 @@ impl Lowering<'_, '_> {
                 if from == Some(&tree::Ty::Unit) {
                     return refused(site, refusals::ERROR_OF_NOTHING);
                 }
-                let meant = |it: &&&tree::Implied| Some(&it.owner) == to && Some(&it.other) == from;
-                found.extend(self.cx.conversions.iter().find(meant).map(|it| it.function.as_str()));
+                let meant = |it: &&&tree::Implied| {
+                    it.of == "From" && Some(&it.owner) == to && Some(&it.other) == from
+                };
+                found.extend(self.cx.between.iter().find(meant).map(|it| it.function.as_str()));
             }
         }
         let [path] = found.as_slice() else {

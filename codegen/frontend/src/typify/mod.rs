@@ -305,8 +305,8 @@ struct Context<'a> {
     /// Facts about each type; `unknown` serves all others.
     known: HashMap<Type, Known<'a>>,
     unknown: Known<'a>,
-    /// Conversions between authors' types.
-    conversions: Vec<&'a tree::Implied>,
+    /// Conversions between authors' types, and comparisons of two types.
+    between: Vec<&'a tree::Implied>,
     /// Structs that represent slices in values.
     borrowed: HashMap<StructId, borrowed::Borrowed>,
     /// Pairs of slices in structs that have one lender.
@@ -357,7 +357,7 @@ impl<'a> Context<'a> {
             generics: HashMap::new(),
             known: HashMap::new(),
             unknown: Known::default(),
-            conversions: Vec::new(),
+            between: Vec::new(),
             borrowed: HashMap::new(),
             joined: Vec::new(),
             absent: HashMap::new(),

@@ -172,9 +172,9 @@ reasons! {
     OWN_ADAPTER: "an `impl Iterator` can only define `next`", "remove this method: Rust provides it";
     EXCLUSIVE_OPERAND: "an operator cannot take an operand by `&mut`", "take it by `&` or by value, or write a method";
     GENERIC_EQUALITY: "an own `==` of a type with type parameters is not supported", "derive `PartialEq`, implement it for each instance, or write a method: `fn is_same(&self, other: &Self) -> bool`";
-    TWO_TYPES_EQUAL: "`==` requires operands of one type", "convert one of them, or write a method";
     OWN_UNEQUAL: "`!=` is always the opposite of `==`", "remove `ne`: Rust derives it from `eq`";
-    OWN_ORDER: "an own `PartialOrd` or `Ord` is not supported", "write a method, `fn is_before(&self, other: &Self) -> bool`; or derive `PartialOrd`, or compare parts";
+    OWN_LESS: "`partial_cmp` determines `<`, `<=`, `>` and `>=`", "remove this method: Rust derives it from `partial_cmp`";
+    OWN_ORDER: "an own order of one type, `PartialOrd` or `Ord`, is not supported", "write a method, `fn is_before(&self, other: &Self) -> bool`; or derive `PartialOrd`, or compare parts";
     FOREIGN_OPERAND: "operators and conversions require numbers or a type of your own", "write a method: `fn as_array(self) -> [f64; 2]`";
     RUST_TRAIT: "this name belongs to a trait of Rust", "rename it";
     STD_TRAIT: "no model calls this trait of Rust", "remove the attribute";
