@@ -104,16 +104,31 @@ impl Package {
 #[command(after_help = "\
 Examples:
   cargo bessemer new motor                     A folder motor/, which depends on Bessemer's repository
-  cargo bessemer new motor --path ../bessemer  The same, on a checkout of it")]
+  cargo bessemer new motor --path ../bessemer  The same, on a checkout of it
+  cargo bessemer new axis --template drive     Two components and their plant: a loop of speed around a loop of current")]
 pub struct New {
     /// The name of the package and of its folder
     pub name: String,
+    /// The model to begin with; without it, one component
+    #[arg(long, value_enum)]
+    pub template: Option<Template>,
     /// A checkout of Bessemer to depend on, in place of its repository
     #[arg(long, value_name = "FOLDER")]
     pub path: Option<PathBuf>,
     /// Another repository to depend on
     #[arg(long, value_name = "URL", conflicts_with = "path")]
     pub git: Option<String>,
+}
+
+/// A model of two components, with the test of both around their plant.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Template {
+    /// A DC motor: a loop of speed around a loop of current
+    Drive,
+    /// Height and climb from accelerometer and barometer, and a monitor of the barometer
+    Estimator,
+    /// A vehicle: its speed and its lane
+    Vehicle,
 }
 
 /// Arguments of `gen`.

@@ -1,6 +1,6 @@
-//! `cargo bessemer new`: a package with one small model, its closed-loop test and a firmware stub.
+//! `cargo bessemer new`: a package with a small model, its closed-loop test and a firmware stub.
 //!
-//! The files are those of `cli/templates/`, with the name in place of `motor`.
+//! The files are those of `cli/templates/`, with the name in place of `motor`. A template has a model, a test and a stub of its own.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use bessemer_backend::c::is_reserved;
 use bessemer_codegen::generate::Workspace;
 
-use crate::args::New;
+use crate::args::{New, Template};
 use crate::error::Error;
 
 /// Path in the package, and text.
@@ -17,11 +17,35 @@ const FILES: &[(&str, &str)] = &[
     ("bessemer.toml", include_str!("../templates/bessemer.toml")),
     ("README.md", include_str!("../templates/README.md")),
     (".gitignore", "/target\n/build\n"),
-    ("src/lib.rs", include_str!("../templates/src/lib.rs.in")),
-    ("tests/closed_loop.rs", include_str!("../templates/tests/closed_loop.rs.in")),
     ("firmware/CMakeLists.txt", include_str!("../templates/firmware/CMakeLists.txt")),
-    ("firmware/main.c", include_str!("../templates/firmware/main.c")),
 ];
+
+/// Returns the paths and texts of the model, of its closed-loop test and of the firmware's stub.
+fn model(template: Option<Template>) -> [(&'static str, &'static str); 3] {
+    let [model, test, stub] = match template {
+        None => [
+            include_str!("../templates/src/lib.rs.in"),
+            include_str!("../templates/tests/closed_loop.rs.in"),
+            include_str!("../templates/firmware/main.c"),
+        ],
+        Some(Template::Drive) => [
+            include_str!("../templates/drive/lib.rs.in"),
+            include_str!("../templates/drive/closed_loop.rs.in"),
+            include_str!("../templates/drive/main.c"),
+        ],
+        Some(Template::Estimator) => [
+            include_str!("../templates/estimator/lib.rs.in"),
+            include_str!("../templates/estimator/closed_loop.rs.in"),
+            include_str!("../templates/estimator/main.c"),
+        ],
+        Some(Template::Vehicle) => [
+            include_str!("../templates/vehicle/lib.rs.in"),
+            include_str!("../templates/vehicle/closed_loop.rs.in"),
+            include_str!("../templates/vehicle/main.c"),
+        ],
+    };
+    [("src/lib.rs", model), ("tests/closed_loop.rs", test), ("firmware/main.c", stub)]
+}
 
 /// The lines that a workspace needs in its own manifest.
 const PROFILE: &str = "
@@ -112,7 +136,8 @@ pub fn run(folder: &Path, wanted: &New) -> Result<String, Error> {
     // Inside of a workspace, its manifest says what holds for all.
     let profile = if Workspace::of(folder).is_ok() { "" } else { PROFILE };
     let dependency = dependency(folder, wanted)?;
-    let written = FILES.iter().try_for_each(|(path, text)| {
+    let all = FILES.iter().copied().chain(model(wanted.template));
+    let written = all.into_iter().try_for_each(|(path, text)| {
         let path = package.join(path);
         let text = text.replace("@DEPENDENCY@", &dependency).replace("@PROFILE@", profile);
         write(&path, &renamed(&text, name)).map_err(|source| Error::File { path, source })
@@ -232,7 +257,12 @@ mod tests {
     #[test]
     fn a_relative_checkout_stays_relative() {
         let folder = tempfile::tempdir().expect("a folder");
-        let new = |path: &str| New { name: "m".to_owned(), path: Some(path.into()), git: None };
+        let new = |path: &str| New {
+            name: "m".to_owned(),
+            template: None,
+            path: Some(path.into()),
+            git: None,
+        };
         assert!(matches!(dependency(folder.path(), &new("b")), Err(Error::NoCheckout { .. })));
         fs::create_dir_all(folder.path().join("b/dsl")).expect("a folder");
         fs::write(folder.path().join("b/dsl/Cargo.toml"), "").expect("a file");
@@ -247,7 +277,7 @@ mod tests {
         fs::create_dir_all(&work).expect("a folder");
         fs::create_dir_all(checkout.join("dsl")).expect("a folder");
         fs::write(checkout.join("dsl/Cargo.toml"), "").expect("a file");
-        let new = New { name: "m".to_owned(), path: Some(checkout), git: None };
+        let new = New { name: "m".to_owned(), template: None, path: Some(checkout), git: None };
         let line = dependency(&work, &new).expect("it is there");
         assert_eq!(line, "bessemer = { path = \"../../b/dsl\" }");
         assert_eq!(
@@ -260,7 +290,8 @@ mod tests {
     fn what_is_there_stays() {
         let folder = tempfile::tempdir().expect("a folder");
         fs::write(folder.path().join("motor"), "mine").expect("a file");
-        let wanted = New { name: "motor".to_owned(), path: None, git: Some("u".to_owned()) };
+        let wanted =
+            New { name: "motor".to_owned(), template: None, path: None, git: Some("u".to_owned()) };
         assert!(matches!(run(folder.path(), &wanted), Err(Error::Exists { .. })));
         assert_eq!(fs::read_to_string(folder.path().join("motor")).expect("there"), "mine");
     }

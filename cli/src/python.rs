@@ -253,7 +253,9 @@ fn check(face: &Interface, name: &str, value: &str, of: &Value) -> Option<String
     }
     let (_, kind) = scalar(&of.ty)?;
     let end = |end: f64| if kind == "float32" { f64::from(end as f32) } else { end };
-    match (integer(kind), of.range) {
+    // The C takes any number where it clamps.
+    let range = of.range.filter(|it| !it.clamps());
+    match (integer(kind), range) {
         (Some((least, most)), range) => {
             // The ends of a range lie within its type.
             let (low, high) = range.map_or((least, most), |it| {

@@ -71,6 +71,7 @@ fn value(it: &Value) -> Json {
     add(&mut json, "matrix", it.matrix.map(shape));
     add(&mut json, "unit", it.unit.as_ref().map(|unit| json!(unit)));
     add(&mut json, "range", it.range.map(|range| json!([range.low(), range.high()])));
+    add(&mut json, "beyond_its_range", it.range.and_then(|it| it.enforced()).map(|it| json!(it)));
     json
 }
 

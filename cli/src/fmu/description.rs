@@ -162,7 +162,9 @@ fn variable(text: &mut String, reference: u32, it: &Variable<'_>) {
     if let (Some(unit), "Float32" | "Float64") = (&it.value.unit, kind) {
         let _ = write!(text, " unit=\"{}\"", escaped(unit));
     }
-    if let (Some(range), "Float32" | "Float64") = (it.value.range, kind) {
+    // The unit takes any number where it clamps.
+    let range = it.value.range.filter(|it| !it.clamps());
+    if let (Some(range), "Float32" | "Float64") = (range, kind) {
         let _ = write!(text, " min=\"{:?}\" max=\"{:?}\"", range.low(), range.high());
     }
     if starts {

@@ -23,8 +23,8 @@ pub struct Asked {
     pub derivative: Option<Derivative>,
 }
 
-/// Reads the attributes of a free function.
-pub fn of_function(function: &mut syn::ItemFn, refusals: &mut Refusals) -> Asked {
+/// Reads the attributes of a free function; an external one has its body in the firmware.
+pub fn of_function(function: &mut syn::ItemFn, external: bool, refusals: &mut Refusals) -> Asked {
     let attributes = &mut function.attrs;
     let inlining = inlining(attributes);
     let role = match is_inline(attributes) {
@@ -33,7 +33,8 @@ pub fn of_function(function: &mut syn::ItemFn, refusals: &mut Refusals) -> Asked
     };
     let mut asked = Asked::new(role, Attributes { inlining, ..Attributes::default() });
     asked.take(attributes, refusals);
-    given::parameters(&mut function.sig, &mut asked.attributes, refusals);
+    let body = Some(&mut *function.block).filter(|_| !external);
+    given::parameters(&mut function.sig, body, &mut asked.attributes, refusals);
     asked
 }
 
@@ -116,7 +117,7 @@ pub fn of_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusa
         !is_entry
     });
     asked.take(attributes, refusals);
-    given::parameters(&mut method.sig, &mut asked.attributes, refusals);
+    given::parameters(&mut method.sig, Some(&mut method.block), &mut asked.attributes, refusals);
     mark_inner(&mut method.block, 1);
     asked
 }
@@ -125,7 +126,7 @@ pub fn of_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusa
 pub fn of_interface(method: &mut syn::TraitItemFn, refusals: &mut Refusals) -> Asked {
     let mut asked = Asked::new(Role::Public, Attributes::default());
     asked.take(&mut method.attrs, refusals);
-    given::parameters(&mut method.sig, &mut asked.attributes, refusals);
+    given::parameters(&mut method.sig, method.default.as_mut(), &mut asked.attributes, refusals);
     method.default.iter_mut().for_each(|body| mark_inner(body, 1));
     asked
 }

@@ -14,6 +14,7 @@ use crate::generics::Scope;
 use crate::implied;
 use crate::imports;
 use crate::lower::{self, Lowering, Parameter, Refusals, refuse};
+use crate::numeric;
 use crate::owned;
 use crate::place::{named, registered};
 use crate::witness::{Copy, result_type};
@@ -408,6 +409,10 @@ fn builder(
             use ::bessemer::math::#methods as _;
         }
     });
+    // A type parameter has the traits of its bounds, of which several may have a function of the name.
+    let known = scope.types().next().is_none();
+    let numeric = known.then(|| numeric::of_known(subject.body, subject.signature.ident.span()));
+    let numeric = numeric.into_iter().flatten();
     quote! {
         #[doc(hidden)]
         #[allow(warnings, clippy::all)]
@@ -416,6 +421,7 @@ fn builder(
         {
             use ::bessemer::generate::prelude::*;
             #floats
+            #(use ::bessemer::generate::numeric::#numeric as _;)*
             #(#items)*
             #(#macros)*
             let __owner = #owner;

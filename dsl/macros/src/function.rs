@@ -76,7 +76,8 @@ fn marked(
     }
     imports::write_out(&function.sig, &mut function.block);
     let more = more(&function, &mut refusals);
-    let mut found = attributes::of_function(&mut function, &mut refusals);
+    let mut found =
+        attributes::of_function(&mut function, more.attributes.external.is_some(), &mut refusals);
     if more.attributes.external.is_some() {
         let Attributes { parameters, result, .. } = found.attributes;
         let attributes = Attributes { parameters, result, ..more.attributes };

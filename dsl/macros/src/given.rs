@@ -1,10 +1,10 @@
 //! Author's C names, units and sections for types, variants, fields, parameters and tables: `#[c(name = "…", section
-//! = "…")]`, `#[c(fallback)]`, `#[unit("…")]`, `#[range(0.0..=5.0)]`.
+//! = "…")]`, `#[c(fallback)]`, `#[unit("…")]`, `#[range(0.0..=5.0, clamp)]`.
 //!
 //! They are removed from the native item, and reach the tree as [`Given`]. Conflicts of names are found only when the
 //! C is written.
 
-use bessemer_tree::attributes::{Attributes, Given, Range};
+use bessemer_tree::attributes::{Attributes, Beyond, Given, Range};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -18,8 +18,10 @@ pub enum On {
     Type,
     /// A variant of an enum: a name is allowed, and `fallback`.
     Variant,
-    /// A field or a parameter: a name, a unit and a range are allowed.
+    /// A field: a name, a unit and a range are allowed.
     Value,
+    /// A parameter: as for a field, and its range may be enforced.
+    Parameter,
     /// A `const` or a `static`: a name, a unit and a section are allowed.
     Table,
 }
@@ -40,7 +42,7 @@ pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> G
     for attribute in attributes.iter().filter(|attribute| is_ours(attribute)) {
         if attribute.path().is_ident("unit") {
             match on {
-                On::Value | On::Table => given.unit = unit(attribute, refusals),
+                On::Value | On::Parameter | On::Table => given.unit = unit(attribute, refusals),
                 On::Type | On::Variant => {
                     refusals.add(attribute.path(), refuse::UNIT_PLACE);
                 }
@@ -49,8 +51,8 @@ pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> G
         }
         if attribute.path().is_ident("range") {
             match on {
-                On::Value => {
-                    given.range = range(attribute, refusals);
+                On::Value | On::Parameter => {
+                    given.range = range(attribute, on, refusals);
                     if given.name.is_none() {
                         given.site = lower::site(attribute.path());
                     }
@@ -101,16 +103,83 @@ pub fn unit(attribute: &syn::Attribute, refusals: &mut Refusals) -> Option<Strin
     Some(unit)
 }
 
-/// Reads a range.
-fn range(attribute: &syn::Attribute, refusals: &mut Refusals) -> Option<Range> {
-    let ends = attribute.parse_args::<syn::ExprRange>().ok();
-    let ends = ends.filter(|it| matches!(it.limits, syn::RangeLimits::Closed(_)));
-    let end = |end: Option<Box<syn::Expr>>| end.and_then(|it| literal(&it));
-    let range = ends.and_then(|it| Range::new(end(it.start)?, end(it.end)?));
-    if range.is_none() {
-        refusals.add(attribute.path(), refuse::RANGE);
+/// Arguments of `#[range(0.0..=5.0, clamp)]`.
+struct Ends {
+    range: syn::ExprRange,
+    beyond: Option<syn::Ident>,
+}
+
+impl syn::parse::Parse for Ends {
+    fn parse(input: syn::parse::ParseStream<'_>) -> syn::Result<Self> {
+        let range = input.parse()?;
+        let more = input.parse::<Option<syn::Token![,]>>()?.is_some();
+        Ok(Ends { range, beyond: more.then(|| input.parse()).transpose()? })
     }
-    range
+}
+
+/// Reads a range.
+fn range(attribute: &syn::Attribute, on: On, refusals: &mut Refusals) -> Option<Range> {
+    let ends = attribute.parse_args::<Ends>().ok();
+    let ends = ends.filter(|it| matches!(it.range.limits, syn::RangeLimits::Closed(_)));
+    let end = |end: &Option<Box<syn::Expr>>| end.as_deref().and_then(literal);
+    let range = ends.as_ref().and_then(|it| Range::new(end(&it.range.start)?, end(&it.range.end)?));
+    let Some((range, ends)) = range.zip(ends) else {
+        refusals.add(attribute.path(), refuse::RANGE);
+        return None;
+    };
+    let Some(name) = ends.beyond else { return Some(range) };
+    let beyond = match lower::text(&name).as_str() {
+        "clamp" => Beyond::Clamped,
+        "report" => Beyond::Reported,
+        _ => {
+            refusals.add(&name, refuse::RANGE);
+            return None;
+        }
+    };
+    if on != On::Parameter {
+        refusals.add(&name, refuse::RANGE_OF_FIELD);
+    }
+    Some(range.with(beyond))
+}
+
+/// Returns the statement at the begin of a body that enforces the range of a parameter; none if it is only documented.
+fn enforced(
+    (parameter, ty): (&syn::PatIdent, &syn::Type),
+    range: Range,
+    refusals: &mut Refusals,
+) -> Option<syn::Stmt> {
+    let (name, mutable) = (&parameter.ident, &parameter.mutability);
+    let float = match ty {
+        syn::Type::Path(it) => it.path.is_ident("f32") || it.path.is_ident("f64"),
+        _ if range.beyond() == Beyond::Taken => return None,
+        _ => {
+            refusals.add(ty, refuse::RANGE_OF_REFERENCE);
+            return None;
+        }
+    };
+    let number = |value: f64| -> syn::Expr {
+        let text = match float || value.fract() != 0.0 {
+            true => format!("{:?}", value.abs()),
+            false => format!("{:.0}", value.abs()),
+        };
+        let number: syn::Lit = match syn::parse_str(&text) {
+            Ok(number) => number,
+            Err(_) => return syn::parse_quote!(0),
+        };
+        if value.is_sign_negative() {
+            syn::parse_quote!(-#number)
+        } else {
+            syn::parse_quote!(#number)
+        }
+    };
+    let (low, high) = (number(range.low()), number(range.high()));
+    match range.beyond() {
+        Beyond::Taken => None,
+        Beyond::Clamped => {
+            Some(syn::parse_quote! { let #mutable #name = #name.clamp(#low, #high); })
+        }
+        Beyond::Reported => Some(syn::parse_quote! { assert!(#name >= #low && #name <= #high); }),
+    }
 }
 
 /// Returns the value of a literal, such as `5` or `-0.5`.
@@ -126,15 +195,19 @@ fn literal(expr: &syn::Expr) -> Option<f64> {
 }
 
 /// Removes the DSL's attributes of parameters from a signature, and records them with the names of lengths in its
-/// types.
+/// types. The ranges that are enforced become statements at the begin of the body.
 pub fn parameters(
     signature: &mut syn::Signature,
+    body: Option<&mut syn::Block>,
     attributes: &mut Attributes,
     refusals: &mut Refusals,
 ) {
     if let syn::ReturnType::Type(_, ty) = &signature.output {
         attributes.result.sizes = sizes::of(ty);
     }
+    // A declaration, and a function of the firmware, have no body of their own in the C.
+    let on = if body.is_some() { On::Parameter } else { On::Value };
+    let mut first = Vec::new();
     for input in &mut signature.inputs {
         let (name, own, sizes) = match input {
             syn::FnArg::Receiver(it) => ("self".to_owned(), &mut it.attrs, Vec::new()),
@@ -143,11 +216,21 @@ pub fn parameters(
                 _ => continue,
             },
         };
-        let given = Given { sizes, ..read(own, On::Value, refusals) };
+        let given = Given { sizes, ..read(own, on, refusals) };
         strip(own);
+        if let (Some(range), syn::FnArg::Typed(it)) = (given.range, input)
+            && let syn::Pat::Ident(pat) = &mut *it.pat
+        {
+            first.extend(enforced((pat, &it.ty), range, refusals));
+            // The name of the clamped number is `mut` in its place.
+            pat.mutability = pat.mutability.filter(|_| !range.clamps());
+        }
         if given != Given::default() {
             attributes.parameters.push((name, given));
         }
+    }
+    if let Some(body) = body {
+        body.stmts.splice(0..0, first);
     }
 }
 
@@ -165,8 +248,8 @@ pub fn tokens(item: &Given) -> TokenStream {
     let expression = text(&item.expression);
     let range = match item.range {
         Some(range) => {
-            let (low, high) = (range.low(), range.high());
-            quote! { ::core::option::Option::Some((#low, #high)) }
+            let (low, high, beyond) = (range.low(), range.high(), range.beyond() as u8);
+            quote! { ::core::option::Option::Some((#low, #high, #beyond)) }
         }
         None => none,
     };

@@ -209,6 +209,9 @@ pub fn implementation(
     if let Some(known) = operators::known(&path) {
         return operators::implementation(kind, known, it, refusals);
     }
+    if numeric::is_own(&path) {
+        return operators::of_number(kind, it, refusals);
+    }
     if let Some(reason) = refuse::known_trait(&path) {
         refusals.add(&path, reason);
         return (it.into_token_stream(), TokenStream::new());

@@ -89,6 +89,56 @@ pub fn companions(bound: &TypeParamBound) -> Vec<TokenStream> {
     names.iter().map(path).collect()
 }
 
+/// Functions of traits that numbers of a known type have by the author's import of the trait.
+const OF_KNOWN: [(&str, &[&str]); 5] = [
+    ("AsPrimitive", &["as_"]),
+    ("Zero", &["zero", "is_zero"]),
+    ("One", &["one", "is_one"]),
+    (
+        "ToPrimitive",
+        &[
+            "to_i8", "to_i16", "to_i32", "to_i64", "to_isize", "to_u8", "to_u16", "to_u32",
+            "to_u64", "to_usize", "to_f32", "to_f64",
+        ],
+    ),
+    (
+        "FromPrimitive",
+        &[
+            "from_i8",
+            "from_i16",
+            "from_i32",
+            "from_i64",
+            "from_isize",
+            "from_u8",
+            "from_u16",
+            "from_u32",
+            "from_u64",
+            "from_usize",
+            "from_f32",
+            "from_f64",
+        ],
+    ),
+];
+
+/// Returns the traits of companions that a body needs for numbers of known types: it has a function of that name, and its file
+/// imports the trait.
+pub fn of_known(body: &syn::Block, span: proc_macro2::Span) -> Vec<syn::Ident> {
+    let tokens = body.to_token_stream();
+    let is_used = |(trait_name, names): &&(&str, &[&str])| {
+        let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
+        mentions(tokens.clone(), &names)
+            && is_of_num_traits(&syn::Ident::new(trait_name, span).into())
+    };
+    let used = OF_KNOWN.iter().filter(is_used);
+    used.map(|(name, _)| format_ident!("Any{name}Builtins")).collect()
+}
+
+/// Returns true if a trait is one of `num_traits` that a type of the author's may implement.
+pub fn is_own(path: &syn::Path) -> bool {
+    let last = path.segments.last().map(|last| text(&last.ident)).unwrap_or_default();
+    matches!(last.as_str(), "Zero" | "One") && is_of_num_traits(path)
+}
+
 /// Traits whose functions take their receiver by value, which companions borrow: they are called as methods.
 const FLOATS: [(&str, &str); 2] = [("Float", "AnyFloat"), ("FloatCore", "AnyCore")];
 

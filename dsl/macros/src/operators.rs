@@ -118,6 +118,55 @@ pub fn implementation(
     (it.into_token_stream(), beside)
 }
 
+/// Expands `#[data] impl Zero for Phasor`: its functions are found by name and type, since generic code calls them for numbers,
+/// too.
+pub fn of_number(
+    kind: Kind,
+    mut it: syn::ItemImpl,
+    refusals: &mut Refusals,
+) -> (TokenStream, TokenStream) {
+    let Some((path, _)) = it.trait_.clone() else { return Default::default() };
+    if Scope::of_type(&it.generics).is_generic() {
+        refusals.add(&it.generics, refuse::GENERIC_EQUALITY);
+    }
+    if is_composed(&it.self_ty) {
+        refusals.add(&it.self_ty, refuse::FOREIGN_OPERAND);
+    }
+    let mut beside = TokenStream::new();
+    for item in &mut it.items {
+        let syn::ImplItem::Fn(method) = item else { continue };
+        let mut own = Refusals::default();
+        let asked = attributes::of_method(kind, method, &mut own);
+        let (subject, scope) =
+            (Subject::of(method, asked, Home::OfRust(&path)), Scope::of_type(&it.generics));
+        let parts = builder::lower(&subject, scope, &mut own).filter(|_| refusals.is_empty());
+        let builder = parts.and_then(|it| syn::parse2::<syn::ImplItemFn>(it.builder).ok());
+        if let Some(mut builder) = builder {
+            let (owner, name) = (&it.self_ty, lower::text(&method.sig.ident));
+            let build = format_ident!("__build_{name}_of_number");
+            builder.sig.ident = build.clone();
+            let function = quote! { Function(<#owner>::#build) };
+            let registered = place::registered(&method.sig.ident, &function);
+            beside.extend(quote! {
+                const _: () = {
+                    impl #owner { #builder }
+                    #registered
+                    ::bessemer::generate::register! {
+                        ::bessemer::generate::OwnOperator {
+                            name: #name,
+                            left: <#owner as ::bessemer::generate::DslType>::ty,
+                            right: <#owner as ::bessemer::generate::DslType>::ty,
+                            build: <#owner>::#build,
+                        }
+                    }
+                };
+            });
+        }
+        redirect::native((&mut method.attrs, &mut method.block), scope, own);
+    }
+    (it.into_token_stream(), beside)
+}
+
 /// Returns a check that an author's own iterator is not `Copy`: a loop would iterate over a copy, and leave the
 /// original unchanged.
 fn gone_through(owner: &syn::Type) -> Option<TokenStream> {

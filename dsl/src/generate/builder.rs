@@ -9,7 +9,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use bessemer_tree as tree;
-use bessemer_tree::attributes::{Given, Range};
+use bessemer_tree::attributes::{Beyond, Given, Range};
 use bessemer_tree::number::Scalar;
 use bessemer_tree::{Argument, DefinitionKind, Package, Refusal, Site, Ty};
 
@@ -92,8 +92,8 @@ pub struct Said {
     pub name: Option<&'static str>,
     /// The unit.
     pub unit: Option<&'static str>,
-    /// The least and the greatest number.
-    pub range: Option<(f64, f64)>,
+    /// The least and the greatest number, and what becomes of others: they are taken (0), clamped (1) or reported (2).
+    pub range: Option<(f64, f64, u8)>,
     /// The section of the object file.
     pub section: Option<&'static str>,
     /// True if the author writes it in hexadecimal.
@@ -114,7 +114,11 @@ pub(super) fn said(said: Option<Said>) -> Given {
     let text = |text: Option<&'static str>| text.map(ToOwned::to_owned);
     let (name, unit, section, sizes) = (text(name), text(unit), text(section), owned(sizes));
     let expression = text(expression);
-    let (range, site) = (range.and_then(|(low, high)| Range::new(low, high)), Site(site.0, site.1));
+    let beyond = [Beyond::Taken, Beyond::Clamped, Beyond::Reported];
+    let range = range.and_then(|(low, high, at)| {
+        Some(Range::new(low, high)?.with(beyond.get(usize::from(at)).copied().unwrap_or_default()))
+    });
+    let site = Site(site.0, site.1);
     Given {
         name,
         unit,

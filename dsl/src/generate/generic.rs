@@ -83,6 +83,8 @@ macro_rules! floats {
                 __b_is_nan() -> bool = numbers::IsNan;
                 __b_is_finite() -> bool = numbers::IsFinite;
                 __b_is_infinite() -> bool = numbers::IsInfinite;
+                __b_is_sign_negative() -> bool = numbers::IsSignNegative;
+                __b_is_sign_positive() -> bool = numbers::IsSignPositive;
                 __b_copysign(_sign: Self) -> Self = numbers::Copysign;
                 __b_min(_other: Self) -> Self = numbers::Min;
                 __b_max(_other: Self) -> Self = numbers::Max;

@@ -14,7 +14,7 @@ use bessemer_tree as tree;
 use bessemer_tree::number::{Float, Int, Scalar};
 use bessemer_tree::{MatrixMethod, NumberMethod, Site, Ty};
 
-use super::builder::{Builder, Callee, type_text};
+use super::builder::{Builder, Callee, OwnOperator, type_text};
 use super::companions::{calls, companions};
 use super::numbers::{self, IntegerBuiltins};
 use super::slot::{Called, DslType};
@@ -53,7 +53,7 @@ impl<T: DslType, F: Instances> Callee for OfScalar<T, F> {
                 (Ty::Matrix(..), Some(method)) => {
                     tree::Callee::Builtin(tree::Builtin::Matrix(method))
                 }
-                _ => cx.without_number(&ty, F::NAME),
+                _ => cx.of_own_number(&ty, F::NAME),
             },
         }
     }
@@ -103,16 +103,23 @@ impl Callee for NotOfFloats {
 }
 
 impl Builder {
-    /// Refuses a type of the author's that implements a trait of `num_traits`, whose function is not in the tree.
-    fn without_number(&mut self, ty: &Ty, name: &str) -> tree::Callee {
+    /// Returns the function of an author's type that implements a trait of `num_traits`; a type without a marked implementation is
+    /// refused.
+    fn of_own_number(&mut self, ty: &Ty, name: &'static str) -> tree::Callee {
+        let scratch = &mut Builder::default();
+        let mut all = inventory::iter::<OwnOperator>.into_iter();
+        if let Some(own) = all.find(|own| own.name == name && (own.left)(scratch) == *ty) {
+            return (own.build)(self);
+        }
         let known = self.package.types.iter().find(|it| type_text(ty) == it.path);
         let (file, site) =
             known.map_or((String::new(), Site::default()), |it| (it.file.clone(), it.site));
+        let of = type_text(ty);
         self.refuse(
             &file,
             site,
-            format!("`{name}` of a trait of `num_traits` is only supported for numbers, and `{}` is none", type_text(ty)),
-            "declare a trait of your own with `#[interface]`, and implement it for numbers and for this type",
+            format!("`{name}` of a trait of `num_traits` is not defined for `{of}` in the C"),
+            "mark `impl Zero` and `impl One` of this type `#[data]`; for another trait declare one of your own with `#[interface]`, and implement it for numbers and for this type",
         );
         tree::Callee::Function(String::new())
     }

@@ -190,7 +190,7 @@ impl Witness {
 #[diagnostic::on_unimplemented(
     message = "a constant of the type `{Self}` is not part of the DSL",
     label = "not a constant of the DSL",
-    note = "write a constant of plain data, of an array, or of a slice of these: `&[(u8, f64)]`"
+    note = "mark each type in it `#[data]`; a constant is plain data, an array, or a slice of these: `&[(u8, f64)]`"
 )]
 pub trait Evaluated {
     /// Returns the words and the type of the value; for a reference, a reference to the array.

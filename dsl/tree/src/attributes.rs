@@ -39,19 +39,58 @@ pub struct Given {
     pub site: Site,
 }
 
-/// Least and greatest intended number of a field or a parameter. It is documentation; no computation depends on it.
+/// Least and greatest intended number of a field or a parameter. It is documentation: what becomes of other numbers is in the
+/// body of the function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Range {
     // The bits of two `f64`s, so that ranges are equal where they are the same.
     low: u64,
     high: u64,
+    #[serde(default)]
+    beyond: Beyond,
+}
+
+/// What becomes of a parameter outside of its range.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Beyond {
+    /// The function computes with it.
+    #[default]
+    Taken,
+    /// The nearest number of the range replaces it.
+    Clamped,
+    /// It is a fault.
+    Reported,
 }
 
 impl Range {
     /// Returns a range with finite, ordered ends; none for others.
     pub fn new(low: f64, high: f64) -> Option<Range> {
         let sound = low.is_finite() && high.is_finite() && low <= high;
-        sound.then_some(Range { low: low.to_bits(), high: high.to_bits() })
+        sound.then_some(Range { low: low.to_bits(), high: high.to_bits(), beyond: Beyond::Taken })
+    }
+
+    /// Returns the range with another meaning for numbers outside of it.
+    pub fn with(self, beyond: Beyond) -> Range {
+        Range { beyond, ..self }
+    }
+
+    /// Returns what becomes of numbers outside of the range.
+    pub fn beyond(self) -> Beyond {
+        self.beyond
+    }
+
+    /// Returns true if the nearest number of the range replaces others.
+    pub fn clamps(self) -> bool {
+        self.beyond == Beyond::Clamped
+    }
+
+    /// Returns the word for what becomes of numbers outside of an enforced range.
+    pub fn enforced(self) -> Option<&'static str> {
+        match self.beyond {
+            Beyond::Taken => None,
+            Beyond::Clamped => Some("clamped"),
+            Beyond::Reported => Some("reported"),
+        }
     }
 
     /// Returns the least number.

@@ -58,6 +58,7 @@
 #include "pair.h"
 #include "pair_f32_bool.h"
 #include "pair_f64_bool.h"
+#include "pair_i16_bool.h"
 #include "pair_i16_u64.h"
 #include "pair_pair_u8_pair_f32_bool_pair_i16_u64x2.h"
 #include "pair_u8_bool.h"
@@ -327,6 +328,42 @@ static inline bool target_equal(const target_t *one, const target_t *other)
         && one->position[2] == other->position[2] && one->land == other->land;
 }
 
+/** Order of two numbers that may have none: NaN has no order. */
+static inline void comparison_partial_f32(float one, float other, option_ordering_t *result)
+{
+    if (one < other) {
+        result->is_some = true;
+        result->value = ORDERING_LESS;
+        return;
+    }
+    if (one == other) {
+        result->is_some = true;
+        result->value = ORDERING_EQUAL;
+        return;
+    }
+    if (one > other) {
+        result->is_some = true;
+        result->value = ORDERING_GREATER;
+    } else {
+        result->is_some = false;
+        result->value = ORDERING_LESS;
+    }
+}
+
+/**
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_i16(int16_t one, int16_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
 /** Whether the two are equal, part by part. */
 static inline bool programs_data_corner_cases_defaults_gain_equal(
     const programs_data_corner_cases_defaults_gain_t *one,
@@ -461,7 +498,9 @@ static inline bool list3_u8_equal(const list3_u8_t *one, const list3_u8_t *other
 }
 
 /** Whether the two are equal, part by part. */
-static inline bool mark_equal(const mark_t *one, const mark_t *other)
+static inline bool programs_data_corner_cases_lists_mark_equal(
+    const programs_data_corner_cases_lists_mark_t *one,
+    const programs_data_corner_cases_lists_mark_t *other)
 {
     return one->at == other->at && list3_u8_equal(&one->notes, &other->notes);
 }
@@ -638,28 +677,6 @@ static inline ordering_t comparison_compare_bool(bool one, bool other)
         return ORDERING_EQUAL;
     } else {
         return ORDERING_GREATER;
-    }
-}
-
-/** Order of two numbers that may have none: NaN has no order. */
-static inline void comparison_partial_f32(float one, float other, option_ordering_t *result)
-{
-    if (one < other) {
-        result->is_some = true;
-        result->value = ORDERING_LESS;
-        return;
-    }
-    if (one == other) {
-        result->is_some = true;
-        result->value = ORDERING_EQUAL;
-        return;
-    }
-    if (one > other) {
-        result->is_some = true;
-        result->value = ORDERING_GREATER;
-    } else {
-        result->is_some = false;
-        result->value = ORDERING_LESS;
     }
 }
 
@@ -1044,20 +1061,6 @@ static inline bool list3_axis_wish_equal(const list3_axis_wish_t *one,
 /**
  * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
-static inline ordering_t comparison_compare_i16(int16_t one, int16_t other)
-{
-    if (one < other) {
-        return ORDERING_LESS;
-    } else if (one == other) {
-        return ORDERING_EQUAL;
-    } else {
-        return ORDERING_GREATER;
-    }
-}
-
-/**
- * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
- */
 static inline ordering_t comparison_compare_u32(uint32_t one, uint32_t other)
 {
     if (one < other) {
@@ -1187,6 +1190,71 @@ static inline void comparison_lesser_reverse_u8(const reverse_u8_t *one, const r
         *reverse_u8 = *other;
     } else {
         *reverse_u8 = *one;
+    }
+}
+
+/**
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_i8(int8_t one, int8_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/**
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_u64(uint64_t one, uint64_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/**
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_pair_i16_bool(const pair_i16_bool_t *one,
+    const pair_i16_bool_t *other)
+{
+    if (one->first < other->first || (one->first == other->first && one->second < other->second)) {
+        return ORDERING_LESS;
+    } else if (one->first == other->first && one->second == other->second) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/** Order of two numbers that may have none: NaN has no order. */
+static inline void comparison_partial_i16(int16_t one, int16_t other, option_ordering_t *result)
+{
+    if (one < other) {
+        result->is_some = true;
+        result->value = ORDERING_LESS;
+        return;
+    }
+    if (one == other) {
+        result->is_some = true;
+        result->value = ORDERING_EQUAL;
+        return;
+    }
+    if (one > other) {
+        result->is_some = true;
+        result->value = ORDERING_GREATER;
+    } else {
+        result->is_some = false;
+        result->value = ORDERING_LESS;
     }
 }
 

@@ -5,6 +5,7 @@ mod built;
 mod described;
 mod dossier;
 mod observer;
+mod templates;
 mod units;
 mod verified;
 
@@ -31,7 +32,8 @@ fn generated(folder: &Path, check: bool) -> Result<String, String> {
 #[test]
 fn a_new_package_is_simulated_and_generated() {
     let workspace = Workspace::for_package("motor").expect("a workspace");
-    let wanted = New { name: "motor".to_owned(), path: Some(".".into()), git: None };
+    let wanted =
+        New { name: "motor".to_owned(), template: None, path: Some(".".into()), git: None };
     let said = new::run(&workspace.path(""), &wanted).expect("it is new");
     assert!(said.contains("cargo bessemer gen") && !said.contains("`members`"), "{said}");
     let package = workspace.path("motor");

@@ -1,6 +1,6 @@
 //! Additions to the author's comments: units, ranges, and the element order of matrices.
 
-use bessemer_ir::attributes::Range;
+use bessemer_ir::attributes::{Beyond, Range};
 use bessemer_ir::{Const, Function, Given, Module, StructId, Type};
 
 use super::matrices::Layout;
@@ -64,7 +64,13 @@ pub fn function(
         add(&mut lines, format!("Units: {}.", units.join(", ")));
     }
     let ranges = attributes.parameters.iter().filter_map(|(name, given)| {
-        Some(format!("`{}` {}", given.name.as_ref().unwrap_or(name), ends(given.range?)))
+        let (name, range) = (given.name.as_ref().unwrap_or(name), given.range?);
+        let beyond = match range.beyond() {
+            Beyond::Taken => "",
+            Beyond::Clamped => " (others are clamped)",
+            Beyond::Reported => " (others are reported as `ASSERTION`)",
+        };
+        Some(format!("`{name}` {}{beyond}", ends(range)))
     });
     let ranges: Vec<String> = ranges.collect();
     if !ranges.is_empty() {

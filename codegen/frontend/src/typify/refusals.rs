@@ -72,7 +72,7 @@ reasons! {
     NAMES_BY_CASE: "a name in the alternatives of `|` refers to different places", "write a `match` with an arm for each";
     CONSTANT_PATTERN: "a constant of this type cannot be a pattern", "compare with `==`";
     PATTERN: "this pattern cannot match a value of this type", "destructure arrays, tuples, structs and variants";
-    INDEXED: "only arrays, slices, lists, matrices and vectors can be indexed", "use `[T; N]`, or a vector";
+    INDEXED: "only arrays, slices, lists, matrices and vectors can be indexed", "use `[T; N]`, or a vector; of a type of your own: mark its `impl Index` `#[data]`";
     NAMED_REFERENCE: "a reference variable must name a variable, a field or an element", "copy the value: `let x = *place;`; or pass the reference as an argument; or unwrap it: `let Some(x) = … else { … };`";
     TWO_INDEXINGS: "`Index` and `IndexMut` of this type return different places, and either may be meant here", "write one and the same body in both, or methods with names";
     LENDS_NOTHING: "this function must end in the place that it returns by reference", "end in `&self.field`";

@@ -7,7 +7,7 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use crate::attributes::{Attributes, Given, Inlining, Range};
+use crate::attributes::{Attributes, Beyond, Given, Inlining, Range};
 use crate::ir::{
     Block, Const, ConstId, Enum, EnumId, Field, Form, Function, FunctionId, Local, LocalId, Module,
     Owner, Role, Span, Struct, StructId, Type, Variant,
@@ -508,6 +508,12 @@ impl Parser {
                 "measured" => &mut given.unit,
                 "section" => &mut given.section,
                 "expression" => &mut given.expression,
+                word @ ("clamped" | "reported") => {
+                    let clamps = word == "clamped";
+                    let beyond = if clamps { Beyond::Clamped } else { Beyond::Reported };
+                    given.range = given.range.map(|it| it.with(beyond));
+                    continue;
+                }
                 "range" => {
                     given.range = Some(self.range()?);
                     continue;

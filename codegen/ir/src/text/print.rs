@@ -522,6 +522,8 @@ fn shown_given(item: &Given) -> String {
     let said: String = said.collect();
     let range = item.range.map(|it| format!("range \"{:?}\" \"{:?}\" ", it.low(), it.high()));
     let range = range.unwrap_or_default();
+    let beyond = item.range.and_then(|it| it.enforced()).map(|word| format!("{word} "));
+    let range = range + &beyond.unwrap_or_default();
     let public = if item.public { "public " } else { "" };
     let radix = if item.hexadecimal { "hexadecimal " } else { "" };
     let fallback = if item.fallback { "fallback " } else { "" };

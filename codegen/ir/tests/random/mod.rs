@@ -176,7 +176,8 @@ impl Source<'_> {
         Given {
             name: self.chance(2).then(|| self.text()),
             unit: self.chance(2).then(|| self.text()),
-            range: Range::new(f64::from(self.below(9)) / 4.0 - 2.0, 1e300),
+            range: Range::new(f64::from(self.below(9)) / 4.0 - 2.0, 1e300)
+                .map(|it| it.with(attributes::Beyond::Clamped)),
             section: self.chance(2).then(|| self.text()),
             public: self.chance(2),
             hexadecimal: self.chance(2),

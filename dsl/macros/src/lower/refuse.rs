@@ -171,7 +171,7 @@ reasons! {
     OPERATOR_TRAIT: "`Deref` hides the access that C has to name", "write a method that returns the reference: `fn inner(&self) -> &Inner`";
     OWN_ADAPTER: "an `impl Iterator` can only define `next`", "remove this method: Rust provides it";
     EXCLUSIVE_OPERAND: "an operator cannot take an operand by `&mut`", "take it by `&` or by value, or write a method";
-    GENERIC_EQUALITY: "an own `==` of a type with type parameters is not supported", "derive `PartialEq`, implement it for each instance, or write a method: `fn is_same(&self, other: &Self) -> bool`";
+    GENERIC_EQUALITY: "an own `==`, `<`, `Zero` or `One` of a type with type parameters is not supported", "derive `PartialEq`, implement it for each instance, or write a method: `fn is_same(&self, other: &Self) -> bool`";
     OWN_UNEQUAL: "`!=` is always the opposite of `==`", "remove `ne`: Rust derives it from `eq`";
     OWN_LESS: "`partial_cmp` determines `<`, `<=`, `>` and `>=`", "remove this method: Rust derives it from `partial_cmp`";
     OWN_ORDER: "an own order of one type, `PartialOrd` or `Ord`, is not supported", "write a method, `fn is_before(&self, other: &Self) -> bool`; or derive `PartialOrd`, or compare parts";
@@ -198,7 +198,9 @@ reasons! {
     UNIT: "`#[unit]` requires a unit", "write `#[unit(\"m/s\")]`";
     FOREIGN_IMPLEMENTATION: "an interface can be implemented for numbers and for types of your own", "wrap the value: `#[data] struct Gain(f64);`, and implement the interface for that";
     INTERFACE_CLOSURE: "a method of an interface cannot take a closure", "write a function or a method of a type that takes it";
-    RANGE: "`#[range]` requires a range of numbers", "write the least and the greatest number: `#[range(0.0..=5.0)]`";
+    RANGE: "`#[range]` requires a range of numbers", "write the least and the greatest number: `#[range(0.0..=5.0)]`; on a parameter also what becomes of others: `#[range(0.0..=5.0, clamp)]` or `#[range(0.0..=5.0, report)]`";
+    RANGE_OF_FIELD: "a range can be enforced where a function begins", "write `clamp` or `report` on a parameter of a function with a body, or `self.gain.clamp(0.0, 1.0)` where the field is read";
+    RANGE_OF_REFERENCE: "only a number that is passed by value can be clamped or reported", "pass the number by value, or write `x.clamp(0.0, 1.0)` where it is read";
     RANGE_PLACE: "`#[range]` belongs on a field or a parameter that is a number", "move it to a field or a parameter";
     UNIT_PLACE: "`#[unit]` belongs on a number", "move it to a field, a parameter, a constant, or the function that returns the number";
     C_ALONE: "`#[c(…)]` must be below an attribute of the DSL", "write it below `#[function]`, `#[data]` or `#[component]`, or on a method of a marked `impl` block";
