@@ -3,31 +3,31 @@ use bessemer::prelude::*;
 
 #[data]
 #[derive(Clone, Copy)]
-pub enum Inner {
+pub enum ReadTrouble {
     Low,
     High,
 }
 
 #[data]
 #[derive(Clone, Copy)]
-pub enum Outer {
+pub enum StepTrouble {
     Sensor,
     Other,
 }
 
-impl From<Inner> for Outer {
-    fn from(_: Inner) -> Outer {
-        Outer::Sensor
+impl From<ReadTrouble> for StepTrouble {
+    fn from(_: ReadTrouble) -> StepTrouble {
+        StepTrouble::Sensor
     }
 }
 
 #[function]
-fn read(x: f64) -> Result<f64, Inner> {
-    if x < 0.0 { Err(Inner::Low) } else { Ok(x) }
+fn read(x: f64) -> Result<f64, ReadTrouble> {
+    if x < 0.0 { Err(ReadTrouble::Low) } else { Ok(x) }
 }
 
 #[function]
-fn twice(x: f64) -> Result<f64, Outer> {
+fn twice(x: f64) -> Result<f64, StepTrouble> {
     Ok(2.0 * read(x)?)
 }
 

@@ -2,12 +2,12 @@
 use bessemer::prelude::*;
 
 #[derive(Clone, Copy)]
-pub struct Limits {
+pub struct Window {
     pub low: f64,
     pub high: f64,
 }
 
-const LIMITS: Limits = Limits { low: -1.0, high: 1.0 };
+const LIMITS: Window = Window { low: -1.0, high: 1.0 };
 
 #[component]
 #[derive(Default)]

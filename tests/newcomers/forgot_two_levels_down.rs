@@ -1,4 +1,4 @@
-//! Of three helpers only the first has an attribute.
+//! Three helpers, of which only the first has an attribute.
 use bessemer::prelude::*;
 
 #[function]

@@ -3,7 +3,7 @@ use bessemer::prelude::*;
 
 #[data]
 #[derive(Clone, Copy, PartialEq)]
-pub enum Phase {
+pub enum Course {
     Idle,
     Ramp,
     Hold,
@@ -18,11 +18,11 @@ pub struct UncheckedMode {
 #[component]
 impl UncheckedMode {
     #[entry(infallible)]
-    pub fn step(&mut self, phase: Phase, x: f64) -> f64 {
+    pub fn step(&mut self, phase: Course, x: f64) -> f64 {
         self.last = match phase {
-            Phase::Idle => 0.0,
-            Phase::Ramp => 0.5 * x,
-            Phase::Hold => self.last,
+            Course::Idle => 0.0,
+            Course::Ramp => 0.5 * x,
+            Course::Hold => self.last,
         };
         self.last
     }

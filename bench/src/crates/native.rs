@@ -91,7 +91,7 @@ pub fn build(workspace: &Path, package: &str) -> Result<String, String> {
 }
 
 /// Makes calls, each by the number of a function and the words of its arguments. A panic with one of the messages `absent` is
-/// that of an `expect`.
+/// from an `expect`.
 pub fn run(
     program: &str,
     calls: &[(usize, Vec<u64>)],

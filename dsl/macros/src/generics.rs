@@ -162,11 +162,11 @@ impl<'a> Scope<'a> {
             .flat_map(move |name| {
                 let both = self.outer.into_iter().chain(self.own);
                 let bounds: Vec<_> = both.flat_map(|generics| bounds_of(generics, name)).collect();
-                let asked = bounds.iter().filter_map(|bound| conversion(bound));
-                let asked = asked.flat_map(|(of, other)| of.predicates(&quote! { #name }, other));
+                let wanted = bounds.iter().filter_map(|bound| conversion(bound));
+                let wanted = wanted.flat_map(|(of, other)| of.predicates(&quote! { #name }, other));
                 let numeric = bounds.iter().flat_map(|bound| numeric::companions(bound));
                 let numeric = numeric.map(|path| quote! { #name: #path });
-                let more: Vec<_> = asked.chain(numeric).collect();
+                let more: Vec<_> = wanted.chain(numeric).collect();
                 std::iter::once(self.value(name)).chain(more)
             })
             .chain(self.conversions())

@@ -120,7 +120,7 @@ const OF_KNOWN: [(&str, &[&str]); 5] = [
     ),
 ];
 
-/// Returns the traits of companions that a body needs for numbers of known types: it has a function of that name, and its file
+/// Returns the traits of companions that a body needs for numbers of known types. It has a function of that name, and its file
 /// imports the trait.
 pub fn of_known(body: &syn::Block, span: proc_macro2::Span) -> Vec<syn::Ident> {
     let tokens = body.to_token_stream();

@@ -136,9 +136,9 @@ pub fn of_number(
     for item in &mut it.items {
         let syn::ImplItem::Fn(method) = item else { continue };
         let mut own = Refusals::default();
-        let asked = attributes::of_method(kind, method, &mut own);
+        let found = attributes::of_method(kind, method, &mut own);
         let (subject, scope) =
-            (Subject::of(method, asked, Home::OfRust(&path)), Scope::of_type(&it.generics));
+            (Subject::of(method, found, Home::OfRust(&path)), Scope::of_type(&it.generics));
         let parts = builder::lower(&subject, scope, &mut own).filter(|_| refusals.is_empty());
         let builder = parts.and_then(|it| syn::parse2::<syn::ImplItemFn>(it.builder).ok());
         if let Some(mut builder) = builder {

@@ -18,6 +18,7 @@ markers! {
     From: Number(NumberMethod::From);
     TryFrom: TryFrom;
     Real: Real;
+    Same: Owned;
 }
 
 companions! {
@@ -175,7 +176,7 @@ impl<T, U: FromBuiltin<T>> IntoBuiltin<U> for T {}
 
 /// Each type is its own conversion, as in core.
 impl<T> FromBuiltin<T> for T {
-    type Marker = super::matrices::Owned;
+    type Marker = Same;
 }
 
 impl<T, U: TryFromBuiltin<T>> TryIntoBuiltin<U> for T {}

@@ -50,7 +50,7 @@ pub struct Range {
     beyond: Beyond,
 }
 
-/// What becomes of a parameter outside of its range.
+/// Meaning of a parameter outside of its range.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Beyond {
     /// The function computes with it.
@@ -82,6 +82,12 @@ impl Range {
     /// Returns true if the nearest number of the range replaces others.
     pub fn clamps(self) -> bool {
         self.beyond == Beyond::Clamped
+    }
+
+    /// Returns the range enforced in the way that a word of [`Range::enforced`] names.
+    pub fn enforced_as(self, word: &str) -> Range {
+        let clamps = word == "clamped";
+        self.with(if clamps { Beyond::Clamped } else { Beyond::Reported })
     }
 
     /// Returns the word for what becomes of numbers outside of an enforced range.

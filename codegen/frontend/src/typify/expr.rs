@@ -379,7 +379,7 @@ impl Lowering<'_, '_> {
         let ty = self.slot_of(expr)?;
         // rustc gives a literal the type that it is cast to, if that is of its kind.
         let of_kind = match ty.as_float() {
-            Some(_) => is_unsuffixed_float(operand),
+            Some(_) => literal::is_unsuffixed_float(operand),
             None => ty.as_int().is_some(),
         };
         let expected = of_kind.then(|| ty.clone());
@@ -526,14 +526,6 @@ fn elements_of(ty: &Type) -> Option<&Type> {
 
 pub(super) fn two<T>(values: Vec<T>, site: Site) -> Result<[T; 2]> {
     <[T; 2]>::try_from(values).ok().needed(site, "this takes two operands")
-}
-
-pub(super) fn is_unsuffixed_float(expr: &tree::Expr) -> bool {
-    match &expr.kind {
-        tree::ExprKind::Float(_, None) => true,
-        tree::ExprKind::Unary(_, operand) => is_unsuffixed_float(operand),
-        _ => false,
-    }
 }
 
 /// Returns the element type of a matrix, or any other type itself.

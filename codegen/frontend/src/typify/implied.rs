@@ -6,7 +6,7 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Argument, CompareOp, Expr, ExprKind, FunctionId, LogicOp, Mode, StructId, Type};
 
-use super::expr::is_unsuffixed_float;
+use super::literal::is_unsuffixed_float;
 use super::lowering::Lowering;
 use super::{
     Context, Problem, Result, diagnostic, function, problem, refusals, refused, struct_of,

@@ -163,3 +163,12 @@ impl<'a> Lowering<'a, '_> {
         self.node(ExprKind::Const(id), ty, site)
     }
 }
+
+/// Returns true for a float literal without a suffix, also with a sign.
+pub(super) fn is_unsuffixed_float(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Float(_, None) => true,
+        tree::ExprKind::Unary(_, operand) => is_unsuffixed_float(operand),
+        _ => false,
+    }
+}

@@ -7,7 +7,7 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use crate::attributes::{Attributes, Beyond, Given, Inlining, Range};
+use crate::attributes::{Attributes, Given, Inlining, Range};
 use crate::ir::{
     Block, Const, ConstId, Enum, EnumId, Field, Form, Function, FunctionId, Local, LocalId, Module,
     Owner, Role, Span, Struct, StructId, Type, Variant,
@@ -486,17 +486,14 @@ impl Parser {
 
     /// Reads a range, such as `"0.0" "5.0"`.
     fn range(&mut self) -> Parsed<Range> {
-        let (low, high) = (self.name()?.parse(), self.name()?.parse());
-        match (low, high) {
-            (Ok(low), Ok(high)) => Range::new(low, high),
-            _ => None,
-        }
-        .map_or_else(|| self.fail("expected two finite numbers in order before this"), Ok)
+        let ends = [self.name()?.parse(), self.name()?.parse()];
+        let range = if let [Ok(low), Ok(high)] = ends { Range::new(low, high) } else { None };
+        range.map_or_else(|| self.fail("expected two finite numbers in order before this"), Ok)
     }
 
     /// Reads an item's attributes, `#(name "x" measured "m/s" @12:3)`, if they are next.
     fn given(&mut self) -> Parsed<Given> {
-        let mut given = Given::default();
+        let (mut given, mut range) = (Given::default(), None);
         if !self.sees("#") || *self.ahead(1) != Token::Mark("(") {
             return Ok(given);
         }
@@ -509,13 +506,11 @@ impl Parser {
                 "section" => &mut given.section,
                 "expression" => &mut given.expression,
                 word @ ("clamped" | "reported") => {
-                    let clamps = word == "clamped";
-                    let beyond = if clamps { Beyond::Clamped } else { Beyond::Reported };
-                    given.range = given.range.map(|it| it.with(beyond));
+                    range = range.map(|it: Range| it.enforced_as(word));
                     continue;
                 }
                 "range" => {
-                    given.range = Some(self.range()?);
+                    range = Some(self.range()?);
                     continue;
                 }
                 "public" => {
@@ -540,6 +535,7 @@ impl Parser {
             };
             *said = Some(self.name()?);
         }
+        given.range = range;
         let line = self.number()?;
         self.expect(":")?;
         given.site = Site(line, self.number()?);

@@ -18,21 +18,17 @@ double for_steps_interleaved(const double values[10])
     return sum;
 }
 
-bessemer_status_t for_steps_thirds(uint8_t from, uint8_t to, uint32_t *sum)
+uint32_t for_steps_thirds(uint8_t from, uint8_t to)
 {
-    uint32_t sum_value = 0U;
+    uint32_t sum = 0U;
     const uint8_t n_length = saturating_sub_u8(to, from);
     const uint8_t n_passes = (uint8_t)((uint32_t)(uint8_t)(n_length / 3U)
         + (uint32_t)(uint8_t)(n_length % 3U != 0U));
     for (uint8_t pass = 0U; pass < n_passes; pass++) {
         const uint8_t n = (uint8_t)((uint32_t)from + (uint32_t)(uint8_t)((uint32_t)pass * 3U));
-        if ((int64_t)sum_value + (int64_t)(uint32_t)n > (int64_t)UINT32_MAX) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
-        sum_value += (uint32_t)n;
+        sum += (uint32_t)n;
     }
-    *sum = sum_value;
-    return BESSEMER_STATUS_OK;
+    return sum;
 }
 
 bessemer_status_t for_steps_every(const double values[10], uint64_t count, uint64_t step,
@@ -132,7 +128,7 @@ bessemer_status_t for_steps_negative(int32_t from, uint8_t width, int32_t *resul
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t for_steps_moved(uint8_t start, uint32_t *result)
+uint32_t for_steps_moved(uint8_t start)
 {
     uint8_t end = 20U;
     uint32_t sum = 0U;
@@ -143,16 +139,9 @@ bessemer_status_t for_steps_moved(uint8_t start, uint32_t *result)
     const uint64_t n_passes = n_length / n_choice + (uint64_t)(n_length % n_choice != 0U);
     for (uint64_t pass = UINT64_C(0); pass < n_passes; pass++) {
         const uint8_t n = (uint8_t)((uint64_t)start + pass * (uint64_t)n_choice);
-        if ((int64_t)sum + (int64_t)(uint32_t)n > (int64_t)UINT32_MAX) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
         sum += (uint32_t)n;
     }
-    if ((int64_t)sum + (int64_t)(uint32_t)end > (int64_t)UINT32_MAX) {
-        return BESSEMER_STATUS_OVERFLOW;
-    }
-    *result = sum + (uint32_t)end;
-    return BESSEMER_STATUS_OK;
+    return sum + (uint32_t)end;
 }
 
 bessemer_status_t for_steps_farthest(int64_t from, int64_t to, uint64_t step,

@@ -37,25 +37,16 @@ void named_iterators_twice(const int32_t samples[5], int32_t least,
     result->second = sum;
 }
 
-bessemer_status_t named_iterators_weighted(const uint16_t samples[6], const uint16_t weights[6],
-    uint32_t *BESSEMER_RESTRICT sum)
+uint32_t named_iterators_weighted(const uint16_t samples[6], const uint16_t weights[6])
 {
-    uint32_t sum_value = 0U;
+    uint32_t sum = 0U;
     for (uint32_t i = 0U; i < 6U; i++) {
-        const uint32_t sum_quotient = (uint32_t)samples[i] * (uint32_t)weights[i] / 4096U;
-        if ((int64_t)sum_value + (int64_t)sum_quotient > (int64_t)UINT32_MAX) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
-        sum_value += sum_quotient;
+        sum += (uint32_t)samples[i] * (uint32_t)weights[i] / 4096U;
     }
     for (uint32_t i = 1U; i < 5U; i++) {
-        if ((int64_t)sum_value + (int64_t)(uint32_t)samples[i] > (int64_t)UINT32_MAX) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
-        sum_value += (uint32_t)samples[i];
+        sum += (uint32_t)samples[i];
     }
-    *sum = sum_value;
-    return BESSEMER_STATUS_OK;
+    return sum;
 }
 
 double named_iterators_shape(double x, bool up)

@@ -89,7 +89,7 @@ bessemer_status_t one_after_another_right(const int16_t samples[7], int32_t *BES
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t one_after_another_marks(uint8_t length, pair_u8_u32_t *result)
+void one_after_another_marks(uint8_t length, pair_u8_u32_t *result)
 {
     uint8_t count = 0U;
     uint32_t sum = 0U;
@@ -97,14 +97,10 @@ bessemer_status_t one_after_another_marks(uint8_t length, pair_u8_u32_t *result)
     for (uint8_t pass = 0U; pass < place_passes; pass++) {
         const uint8_t place = (uint8_t)((uint32_t)pass * 5U);
         count = (uint8_t)(count + 1U);
-        if ((int64_t)sum + (int64_t)(uint32_t)place > (int64_t)UINT32_MAX) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
         sum += (uint32_t)place;
     }
     result->first = count;
     result->second = sum;
-    return BESSEMER_STATUS_OK;
 }
 
 /* one_after_another.h */

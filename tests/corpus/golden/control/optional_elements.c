@@ -2,20 +2,15 @@
 
 /* optional_elements.c */
 
-bessemer_status_t optional_elements_total(const option_u8_t readings[5],
-    uint32_t *BESSEMER_RESTRICT sum)
+uint32_t optional_elements_total(const option_u8_t readings[5])
 {
-    uint32_t sum_value = 0U;
+    uint32_t sum = 0U;
     for (uint32_t i = 0U; i < 5U; i++) {
         if (readings[i].is_some) {
-            if ((int64_t)sum_value + (int64_t)(uint32_t)readings[i].value > (int64_t)UINT32_MAX) {
-                return BESSEMER_STATUS_OVERFLOW;
-            }
-            sum_value += (uint32_t)readings[i].value;
+            sum += (uint32_t)readings[i].value;
         }
     }
-    *sum = sum_value;
-    return BESSEMER_STATUS_OK;
+    return sum;
 }
 
 void optional_elements_largest_half(const int32_t values[5], option_i32_t *BESSEMER_RESTRICT result)

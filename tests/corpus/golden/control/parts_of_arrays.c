@@ -12,24 +12,15 @@ double parts_of_arrays_steepest(const double values[8])
     return steepest;
 }
 
-bessemer_status_t parts_of_arrays_sums(const uint16_t samples[9],
-    uint32_t sums[BESSEMER_RESTRICT 3])
+void parts_of_arrays_sums(const uint16_t samples[9], uint32_t sums[BESSEMER_RESTRICT 3])
 {
-    uint32_t sums_value[3];
     for (uint32_t i = 0U; i < 3U; i++) {
         uint32_t sum = 0U;
         for (uint32_t j = i * 3U; j < i * 3U + 3U; j++) {
-            if ((int64_t)sum + (int64_t)(uint32_t)samples[j] > (int64_t)UINT32_MAX) {
-                return BESSEMER_STATUS_OVERFLOW;
-            }
             sum += (uint32_t)samples[j];
         }
-        sums_value[i] = sum;
+        sums[i] = sum;
     }
-    sums[0] = sums_value[0];
-    sums[1] = sums_value[1];
-    sums[2] = sums_value[2];
-    return BESSEMER_STATUS_OK;
 }
 
 float parts_of_arrays_settled(const float values[10])

@@ -129,22 +129,21 @@ bessemer_status_t pieces_windows(const double values[6], uint64_t size,
     if (size == UINT64_C(0)) {
         return BESSEMER_STATUS_ASSERTION;
     }
-    const uint64_t larger = max_u64(UINT64_C(6), size - UINT64_C(1));
-    if (size - UINT64_C(1) > larger) {
-        return BESSEMER_STATUS_OVERFLOW;
-    }
-    for (uint64_t i = UINT64_C(0); i < larger - (size - UINT64_C(1)); i++) {
-        double sum = 0.0;
-        if (i > UINT64_MAX - size) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
-        for (uint64_t j = i; j < i + size; j++) {
-            if (j >= UINT64_C(6)) {
-                return BESSEMER_STATUS_INDEX;
+    {
+        const uint64_t end = max_u64(UINT64_C(6), size - UINT64_C(1)) - (size - UINT64_C(1));
+        for (uint64_t i = UINT64_C(0); i < end; i++) {
+            double sum = 0.0;
+            if (i > UINT64_MAX - size) {
+                return BESSEMER_STATUS_OVERFLOW;
             }
-            sum += values[j];
+            for (uint64_t j = i; j < i + size; j++) {
+                if (j >= UINT64_C(6)) {
+                    return BESSEMER_STATUS_INDEX;
+                }
+                sum += values[j];
+            }
+            most = max_f64(most, sum / (double)size);
         }
-        most = max_f64(most, sum / (double)size);
     }
     double some = 0.0;
     {

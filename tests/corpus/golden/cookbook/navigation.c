@@ -2,8 +2,11 @@
 
 /* navigation.c */
 
-static const double GATE = 25.0;
+static const double GATE = 52.0;
 static const double GRAVITY = 9.81;
+
+static void navigation_predicted(const double state[12], const inertial_t *inertial, double period,
+    symmetric_f64_12_t *BESSEMER_RESTRICT covariance, double result[BESSEMER_RESTRICT 12]);
 
 void navigation_advanced(const double state[12], const inertial_t *inertial, double period,
     double next[BESSEMER_RESTRICT 12])
@@ -38,8 +41,9 @@ void navigation_advanced(const double state[12], const inertial_t *inertial, dou
     }
 }
 
-void navigation_linearized(const double state[12], const inertial_t *inertial, double period,
-    pair_vector12_f64_matrix12x12_f64_t *BESSEMER_RESTRICT result)
+/** The state after one period; `covariance` becomes the covariance of its errors. */
+static void navigation_predicted(const double state[12], const inertial_t *inertial, double period,
+    symmetric_f64_12_t *BESSEMER_RESTRICT covariance, double result[BESSEMER_RESTRICT 12])
 {
     const double sin_state_6 = sine_sin(state[6]);
     const double cos_state_6 = sine_cos(state[6]);
@@ -114,55 +118,250 @@ void navigation_linearized(const double state[12], const inertial_t *inertial, d
     const double next_d7_5 = period * turn_d7;
     const double next_d10_3 = period * turn_d10;
     const double next_d11_3 = period * turn_d11;
-    for (uint32_t i = 0U; i < 144U; i++) {
-        result->second[i] = 0.0;
+    const double row_0_0 = covariance->elements[0 + 12 * 0]
+        + period * covariance->elements[3 + 12 * 0];
+    const double row_0_1 = covariance->elements[0 + 12 * 1]
+        + period * covariance->elements[3 + 12 * 1];
+    const double row_0_2 = covariance->elements[0 + 12 * 2]
+        + period * covariance->elements[3 + 12 * 2];
+    const double row_1_1 = covariance->elements[1 + 12 * 1]
+        + period * covariance->elements[4 + 12 * 1];
+    const double row_1_2 = covariance->elements[1 + 12 * 2]
+        + period * covariance->elements[4 + 12 * 2];
+    const double row_2_2 = covariance->elements[2 + 12 * 2]
+        + period * covariance->elements[5 + 12 * 2];
+    for (uint32_t k = 3U; k < 12U; k++) {
+        const double row_0 = covariance->elements[12U * k]
+            + period * covariance->elements[3U + 12U * k];
+        const double row_1 = covariance->elements[1U + 12U * k]
+            + period * covariance->elements[4U + 12U * k];
+        const double row_2 = covariance->elements[2U + 12U * k]
+            + period * covariance->elements[5U + 12U * k];
+        covariance->elements[12U * k] = row_0;
+        covariance->elements[k] = row_0;
+        covariance->elements[1U + 12U * k] = row_1;
+        covariance->elements[k + 12U] = row_1;
+        covariance->elements[2U + 12U * k] = row_2;
+        covariance->elements[k + 12U * 2U] = row_2;
     }
-    result->second[0 + 12 * 0] = 1.0;
-    result->second[0 + 12 * 3] = period;
-    result->second[1 + 12 * 1] = 1.0;
-    result->second[1 + 12 * 4] = period;
-    result->second[2 + 12 * 2] = 1.0;
-    result->second[2 + 12 * 5] = period;
-    result->second[3 + 12 * 3] = 1.0;
-    result->second[3 + 12 * 6] = next_d6;
-    result->second[3 + 12 * 7] = next_d7;
-    result->second[3 + 12 * 8] = next_d8;
-    result->second[4 + 12 * 4] = 1.0;
-    result->second[4 + 12 * 6] = next_d6_3;
-    result->second[4 + 12 * 7] = next_d7_3;
-    result->second[4 + 12 * 8] = next_d8_2;
-    result->second[5 + 12 * 5] = 1.0;
-    result->second[5 + 12 * 6] = next_d6_5;
-    result->second[5 + 12 * 7] = next_d7_4;
-    result->second[6 + 12 * 6] = next_d6_2;
-    result->second[6 + 12 * 7] = next_d7_2;
-    result->second[6 + 12 * 9] = next_d9;
-    result->second[6 + 12 * 10] = next_d10;
-    result->second[6 + 12 * 11] = next_d11;
-    result->second[7 + 12 * 6] = next_d6_4;
-    result->second[7 + 12 * 7] = 1.0;
-    result->second[7 + 12 * 10] = next_d10_2;
-    result->second[7 + 12 * 11] = next_d11_2;
-    result->second[8 + 12 * 6] = next_d6_6;
-    result->second[8 + 12 * 7] = next_d7_5;
-    result->second[8 + 12 * 8] = 1.0;
-    result->second[8 + 12 * 10] = next_d10_3;
-    result->second[8 + 12 * 11] = next_d11_3;
-    result->second[9 + 12 * 9] = 1.0;
-    result->second[10 + 12 * 10] = 1.0;
-    result->second[11 + 12 * 11] = 1.0;
-    result->first[0] = next;
-    result->first[1] = next_4;
-    result->first[2] = next_7;
-    result->first[3] = next_2;
-    result->first[4] = next_5;
-    result->first[5] = next_8;
-    result->first[6] = next_3;
-    result->first[7] = next_6;
-    result->first[8] = next_9;
-    result->first[9] = state[9];
-    result->first[10] = state[10];
-    result->first[11] = state[11];
+    const double block_0_0 = row_0_0 + period * covariance->elements[0 + 12 * 3];
+    covariance->elements[0 + 12 * 0] = block_0_0;
+    const double block_1_0 = row_0_1 + period * covariance->elements[0 + 12 * 4];
+    covariance->elements[1 + 12 * 0] = block_1_0;
+    covariance->elements[0 + 12 * 1] = block_1_0;
+    const double block_1_1 = row_1_1 + period * covariance->elements[1 + 12 * 4];
+    covariance->elements[1 + 12 * 1] = block_1_1;
+    const double block_2_0 = row_0_2 + period * covariance->elements[0 + 12 * 5];
+    covariance->elements[2 + 12 * 0] = block_2_0;
+    covariance->elements[0 + 12 * 2] = block_2_0;
+    const double block_2_1 = row_1_2 + period * covariance->elements[1 + 12 * 5];
+    covariance->elements[2 + 12 * 1] = block_2_1;
+    covariance->elements[1 + 12 * 2] = block_2_1;
+    const double block_2_2 = row_2_2 + period * covariance->elements[2 + 12 * 5];
+    covariance->elements[2 + 12 * 2] = block_2_2;
+    const double row_3_3 = covariance->elements[3 + 12 * 3]
+        + next_d6 * covariance->elements[6 + 12 * 3] + next_d7 * covariance->elements[7 + 12 * 3]
+        + next_d8 * covariance->elements[8 + 12 * 3];
+    const double row_3_4 = covariance->elements[3 + 12 * 4]
+        + next_d6 * covariance->elements[6 + 12 * 4] + next_d7 * covariance->elements[7 + 12 * 4]
+        + next_d8 * covariance->elements[8 + 12 * 4];
+    const double row_3_5 = covariance->elements[3 + 12 * 5]
+        + next_d6 * covariance->elements[6 + 12 * 5] + next_d7 * covariance->elements[7 + 12 * 5]
+        + next_d8 * covariance->elements[8 + 12 * 5];
+    const double row_4_4 = covariance->elements[4 + 12 * 4]
+        + next_d6_3 * covariance->elements[6 + 12 * 4]
+        + next_d7_3 * covariance->elements[7 + 12 * 4]
+        + next_d8_2 * covariance->elements[8 + 12 * 4];
+    const double row_4_5 = covariance->elements[4 + 12 * 5]
+        + next_d6_3 * covariance->elements[6 + 12 * 5]
+        + next_d7_3 * covariance->elements[7 + 12 * 5]
+        + next_d8_2 * covariance->elements[8 + 12 * 5];
+    const double row_5_5 = covariance->elements[5 + 12 * 5]
+        + next_d6_5 * covariance->elements[6 + 12 * 5]
+        + next_d7_4 * covariance->elements[7 + 12 * 5];
+    for (uint32_t k_2 = 0U; k_2 < 3U; k_2++) {
+        const double row_3 = covariance->elements[3U + 12U * k_2]
+            + next_d6 * covariance->elements[6U + 12U * k_2]
+            + next_d7 * covariance->elements[7U + 12U * k_2]
+            + next_d8 * covariance->elements[8U + 12U * k_2];
+        const double row_4 = covariance->elements[4U + 12U * k_2]
+            + next_d6_3 * covariance->elements[6U + 12U * k_2]
+            + next_d7_3 * covariance->elements[7U + 12U * k_2]
+            + next_d8_2 * covariance->elements[8U + 12U * k_2];
+        const double row_5 = covariance->elements[5U + 12U * k_2]
+            + next_d6_5 * covariance->elements[6U + 12U * k_2]
+            + next_d7_4 * covariance->elements[7U + 12U * k_2];
+        covariance->elements[3U + 12U * k_2] = row_3;
+        covariance->elements[k_2 + 12U * 3U] = row_3;
+        covariance->elements[4U + 12U * k_2] = row_4;
+        covariance->elements[k_2 + 12U * 4U] = row_4;
+        covariance->elements[5U + 12U * k_2] = row_5;
+        covariance->elements[k_2 + 12U * 5U] = row_5;
+    }
+    for (uint32_t k_3 = 6U; k_3 < 12U; k_3++) {
+        const double row_3_2 = covariance->elements[3U + 12U * k_3]
+            + next_d6 * covariance->elements[6U + 12U * k_3]
+            + next_d7 * covariance->elements[7U + 12U * k_3]
+            + next_d8 * covariance->elements[8U + 12U * k_3];
+        const double row_4_2 = covariance->elements[4U + 12U * k_3]
+            + next_d6_3 * covariance->elements[6U + 12U * k_3]
+            + next_d7_3 * covariance->elements[7U + 12U * k_3]
+            + next_d8_2 * covariance->elements[8U + 12U * k_3];
+        const double row_5_2 = covariance->elements[5U + 12U * k_3]
+            + next_d6_5 * covariance->elements[6U + 12U * k_3]
+            + next_d7_4 * covariance->elements[7U + 12U * k_3];
+        covariance->elements[3U + 12U * k_3] = row_3_2;
+        covariance->elements[k_3 + 12U * 3U] = row_3_2;
+        covariance->elements[4U + 12U * k_3] = row_4_2;
+        covariance->elements[k_3 + 12U * 4U] = row_4_2;
+        covariance->elements[5U + 12U * k_3] = row_5_2;
+        covariance->elements[k_3 + 12U * 5U] = row_5_2;
+    }
+    const double block_3_3 = row_3_3 + next_d6 * covariance->elements[3 + 12 * 6]
+        + next_d7 * covariance->elements[3 + 12 * 7] + next_d8 * covariance->elements[3 + 12 * 8];
+    covariance->elements[3 + 12 * 3] = block_3_3;
+    const double block_4_3 = row_3_4 + next_d6_3 * covariance->elements[3 + 12 * 6]
+        + next_d7_3 * covariance->elements[3 + 12 * 7]
+        + next_d8_2 * covariance->elements[3 + 12 * 8];
+    covariance->elements[4 + 12 * 3] = block_4_3;
+    covariance->elements[3 + 12 * 4] = block_4_3;
+    const double block_4_4 = row_4_4 + next_d6_3 * covariance->elements[4 + 12 * 6]
+        + next_d7_3 * covariance->elements[4 + 12 * 7]
+        + next_d8_2 * covariance->elements[4 + 12 * 8];
+    covariance->elements[4 + 12 * 4] = block_4_4;
+    const double block_5_3 = row_3_5 + next_d6_5 * covariance->elements[3 + 12 * 6]
+        + next_d7_4 * covariance->elements[3 + 12 * 7];
+    covariance->elements[5 + 12 * 3] = block_5_3;
+    covariance->elements[3 + 12 * 5] = block_5_3;
+    const double block_5_4 = row_4_5 + next_d6_5 * covariance->elements[4 + 12 * 6]
+        + next_d7_4 * covariance->elements[4 + 12 * 7];
+    covariance->elements[5 + 12 * 4] = block_5_4;
+    covariance->elements[4 + 12 * 5] = block_5_4;
+    const double block_5_5 = row_5_5 + next_d6_5 * covariance->elements[5 + 12 * 6]
+        + next_d7_4 * covariance->elements[5 + 12 * 7];
+    covariance->elements[5 + 12 * 5] = block_5_5;
+    const double row_6_6 = next_d6_2 * covariance->elements[6 + 12 * 6]
+        + next_d7_2 * covariance->elements[7 + 12 * 6] + next_d9 * covariance->elements[9 + 12 * 6]
+        + next_d10 * covariance->elements[10 + 12 * 6]
+        + next_d11 * covariance->elements[11 + 12 * 6];
+    const double row_6_7 = next_d6_2 * covariance->elements[6 + 12 * 7]
+        + next_d7_2 * covariance->elements[7 + 12 * 7] + next_d9 * covariance->elements[9 + 12 * 7]
+        + next_d10 * covariance->elements[10 + 12 * 7]
+        + next_d11 * covariance->elements[11 + 12 * 7];
+    const double row_6_8 = next_d6_2 * covariance->elements[6 + 12 * 8]
+        + next_d7_2 * covariance->elements[7 + 12 * 8] + next_d9 * covariance->elements[9 + 12 * 8]
+        + next_d10 * covariance->elements[10 + 12 * 8]
+        + next_d11 * covariance->elements[11 + 12 * 8];
+    const double row_7_6 = covariance->elements[7 + 12 * 6]
+        + next_d6_4 * covariance->elements[6 + 12 * 6]
+        + next_d10_2 * covariance->elements[10 + 12 * 6]
+        + next_d11_2 * covariance->elements[11 + 12 * 6];
+    const double row_7_7 = covariance->elements[7 + 12 * 7]
+        + next_d6_4 * covariance->elements[6 + 12 * 7]
+        + next_d10_2 * covariance->elements[10 + 12 * 7]
+        + next_d11_2 * covariance->elements[11 + 12 * 7];
+    const double row_7_8 = covariance->elements[7 + 12 * 8]
+        + next_d6_4 * covariance->elements[6 + 12 * 8]
+        + next_d10_2 * covariance->elements[10 + 12 * 8]
+        + next_d11_2 * covariance->elements[11 + 12 * 8];
+    const double row_8_6 = covariance->elements[8 + 12 * 6]
+        + next_d6_6 * covariance->elements[6 + 12 * 6]
+        + next_d7_5 * covariance->elements[7 + 12 * 6]
+        + next_d10_3 * covariance->elements[10 + 12 * 6]
+        + next_d11_3 * covariance->elements[11 + 12 * 6];
+    const double row_8_7 = covariance->elements[8 + 12 * 7]
+        + next_d6_6 * covariance->elements[6 + 12 * 7]
+        + next_d7_5 * covariance->elements[7 + 12 * 7]
+        + next_d10_3 * covariance->elements[10 + 12 * 7]
+        + next_d11_3 * covariance->elements[11 + 12 * 7];
+    const double row_8_8 = covariance->elements[8 + 12 * 8]
+        + next_d6_6 * covariance->elements[6 + 12 * 8]
+        + next_d7_5 * covariance->elements[7 + 12 * 8]
+        + next_d10_3 * covariance->elements[10 + 12 * 8]
+        + next_d11_3 * covariance->elements[11 + 12 * 8];
+    for (uint32_t k_4 = 0U; k_4 < 6U; k_4++) {
+        const double row_6 = next_d6_2 * covariance->elements[6U + 12U * k_4]
+            + next_d7_2 * covariance->elements[7U + 12U * k_4]
+            + next_d9 * covariance->elements[9U + 12U * k_4]
+            + next_d10 * covariance->elements[10U + 12U * k_4]
+            + next_d11 * covariance->elements[11U + 12U * k_4];
+        const double row_7 = covariance->elements[7U + 12U * k_4]
+            + next_d6_4 * covariance->elements[6U + 12U * k_4]
+            + next_d10_2 * covariance->elements[10U + 12U * k_4]
+            + next_d11_2 * covariance->elements[11U + 12U * k_4];
+        const double row_8 = covariance->elements[8U + 12U * k_4]
+            + next_d6_6 * covariance->elements[6U + 12U * k_4]
+            + next_d7_5 * covariance->elements[7U + 12U * k_4]
+            + next_d10_3 * covariance->elements[10U + 12U * k_4]
+            + next_d11_3 * covariance->elements[11U + 12U * k_4];
+        covariance->elements[6U + 12U * k_4] = row_6;
+        covariance->elements[k_4 + 12U * 6U] = row_6;
+        covariance->elements[7U + 12U * k_4] = row_7;
+        covariance->elements[k_4 + 12U * 7U] = row_7;
+        covariance->elements[8U + 12U * k_4] = row_8;
+        covariance->elements[k_4 + 12U * 8U] = row_8;
+    }
+    for (uint32_t k_5 = 9U; k_5 < 12U; k_5++) {
+        const double row_6_2 = next_d6_2 * covariance->elements[6U + 12U * k_5]
+            + next_d7_2 * covariance->elements[7U + 12U * k_5]
+            + next_d9 * covariance->elements[9U + 12U * k_5]
+            + next_d10 * covariance->elements[10U + 12U * k_5]
+            + next_d11 * covariance->elements[11U + 12U * k_5];
+        const double row_7_2 = covariance->elements[7U + 12U * k_5]
+            + next_d6_4 * covariance->elements[6U + 12U * k_5]
+            + next_d10_2 * covariance->elements[10U + 12U * k_5]
+            + next_d11_2 * covariance->elements[11U + 12U * k_5];
+        const double row_8_2 = covariance->elements[8U + 12U * k_5]
+            + next_d6_6 * covariance->elements[6U + 12U * k_5]
+            + next_d7_5 * covariance->elements[7U + 12U * k_5]
+            + next_d10_3 * covariance->elements[10U + 12U * k_5]
+            + next_d11_3 * covariance->elements[11U + 12U * k_5];
+        covariance->elements[6U + 12U * k_5] = row_6_2;
+        covariance->elements[k_5 + 12U * 6U] = row_6_2;
+        covariance->elements[7U + 12U * k_5] = row_7_2;
+        covariance->elements[k_5 + 12U * 7U] = row_7_2;
+        covariance->elements[8U + 12U * k_5] = row_8_2;
+        covariance->elements[k_5 + 12U * 8U] = row_8_2;
+    }
+    const double block_6_6 = next_d6_2 * row_6_6 + next_d7_2 * row_6_7
+        + next_d9 * covariance->elements[6 + 12 * 9] + next_d10 * covariance->elements[6 + 12 * 10]
+        + next_d11 * covariance->elements[6 + 12 * 11];
+    covariance->elements[6 + 12 * 6] = block_6_6;
+    const double block_7_6 = row_6_7 + next_d6_4 * row_6_6
+        + next_d10_2 * covariance->elements[6 + 12 * 10]
+        + next_d11_2 * covariance->elements[6 + 12 * 11];
+    covariance->elements[7 + 12 * 6] = block_7_6;
+    covariance->elements[6 + 12 * 7] = block_7_6;
+    const double block_7_7 = row_7_7 + next_d6_4 * row_7_6
+        + next_d10_2 * covariance->elements[7 + 12 * 10]
+        + next_d11_2 * covariance->elements[7 + 12 * 11];
+    covariance->elements[7 + 12 * 7] = block_7_7;
+    const double block_8_6 = row_6_8 + next_d6_6 * row_6_6 + next_d7_5 * row_6_7
+        + next_d10_3 * covariance->elements[6 + 12 * 10]
+        + next_d11_3 * covariance->elements[6 + 12 * 11];
+    covariance->elements[8 + 12 * 6] = block_8_6;
+    covariance->elements[6 + 12 * 8] = block_8_6;
+    const double block_8_7 = row_7_8 + next_d6_6 * row_7_6 + next_d7_5 * row_7_7
+        + next_d10_3 * covariance->elements[7 + 12 * 10]
+        + next_d11_3 * covariance->elements[7 + 12 * 11];
+    covariance->elements[8 + 12 * 7] = block_8_7;
+    covariance->elements[7 + 12 * 8] = block_8_7;
+    const double block_8_8 = row_8_8 + next_d6_6 * row_8_6 + next_d7_5 * row_8_7
+        + next_d10_3 * covariance->elements[8 + 12 * 10]
+        + next_d11_3 * covariance->elements[8 + 12 * 11];
+    covariance->elements[8 + 12 * 8] = block_8_8;
+    result[0] = next;
+    result[1] = next_4;
+    result[2] = next_7;
+    result[3] = next_2;
+    result[4] = next_5;
+    result[5] = next_8;
+    result[6] = next_3;
+    result[7] = next_6;
+    result[8] = next_9;
+    result[9] = state[9];
+    result[10] = state[10];
+    result[11] = state[11];
 }
 
 void navigation_init(navigation_t *self)
@@ -185,45 +384,34 @@ void navigation_init(navigation_t *self)
 }
 
 void navigation_predict(navigation_t *BESSEMER_RESTRICT self, const inertial_t *inertial,
-    double period, navigation_predict_work_t *BESSEMER_RESTRICT work)
+    double period)
 {
-    pair_vector12_f64_matrix12x12_f64_t *const pair = &work->pair;
-    navigation_linearized(self->state, inertial, period, pair);
-    (void)memcpy(self->state, pair->first, sizeof(double[12]));
-    symmetric_f64_12_congruence(&self->covariance, pair->second, work->numbers);
-    double noise[12] = {0};
+    double state_next[12];
+    navigation_predicted(self->state, inertial, period, &self->covariance, state_next);
+    (void)memcpy(self->state, state_next, sizeof(double[12]));
     for (uint32_t axis = 0U; axis < 3U; axis++) {
-        noise[axis + 3U] = 0.01 * period;
-        noise[axis + 6U] = 1e-5 * period;
-        noise[axis + 9U] = 1e-8 * period;
+        self->covariance.elements[axis + 3U + 12U * (axis + 3U)] += 0.01 * period;
+        self->covariance.elements[axis + 6U + 12U * (axis + 6U)] += 1e-5 * period;
+        self->covariance.elements[axis + 9U + 12U * (axis + 9U)] += 1e-8 * period;
     }
-    symmetric_f64_12_add_diagonal(&self->covariance, noise);
 }
 
-uint32_t navigation_correct(navigation_t *BESSEMER_RESTRICT self, const double position[3],
-    const double velocity[3])
+void navigation_correct(navigation_t *BESSEMER_RESTRICT self, const double measured[6],
+    navigation_correct_work_t *BESSEMER_RESTRICT work,
+    correction_f64_t *BESSEMER_RESTRICT correction)
 {
-    uint32_t rejected = 0U;
-    for (uint32_t index = 0U; index < 6U; index++) {
-        pair_f64_f64_t value_choice;
-        if (index < 3U) {
-            value_choice.first = position[index];
-            value_choice.second = 0.25;
-        } else {
-            value_choice.first = velocity[(uint64_t)index - UINT64_C(3)];
-            value_choice.second = 0.01;
-        }
-        const double measured = value_choice.first;
-        const double variance = value_choice.second;
-        const double innovation = measured - self->state[index];
-        correction_f64_t report;
-        symmetric_f64_12_correct_element(&self->covariance, self->state, index, innovation,
-            variance, GATE, &report);
-        if (report.status != CORRECT_STATUS_CORRECTED) {
-            rejected += 1U;
-        }
+    const double innovation_vector[6] = {
+        self->state[0], self->state[1], self->state[2], self->state[3], self->state[4],
+        self->state[5]
+    };
+    double innovation[6];
+    BESSEMER_FEW_PASSES
+    for (uint32_t i = 0U; i < 6U; i++) {
+        innovation[i] = measured[i] - innovation_vector[i];
     }
-    return rejected;
+    static const double variances[6] = {0.25, 0.25, 0.25, 0.01, 0.01, 0.01};
+    symmetric_f64_12_correct_part_0_6(&self->covariance, self->state, innovation, variances, GATE,
+        work->numbers, correction);
 }
 
 /* navigation.h */
@@ -246,6 +434,5 @@ typedef struct {
 
 /** Working memory of its entry point; the contents are undefined between calls. */
 typedef struct {
-    pair_vector12_f64_matrix12x12_f64_t pair;
-    double numbers[144];
-} navigation_predict_work_t;
+    double numbers[72];
+} navigation_correct_work_t;

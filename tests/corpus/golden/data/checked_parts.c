@@ -18,23 +18,17 @@ void checked_parts_parity(const uint8_t line[8], uint64_t from, uint64_t to,
     result->value = sum;
 }
 
-bessemer_status_t checked_parts_payload_sum(const uint8_t frame[8],
-    uint32_t *BESSEMER_RESTRICT result)
+uint32_t checked_parts_payload_sum(const uint8_t frame[8])
 {
     const uint32_t value_to = 2U + (uint32_t)frame[1];
     if (!(2U <= value_to && value_to <= 8U)) {
-        *result = 0U;
-        return BESSEMER_STATUS_OK;
+        return 0U;
     }
     uint32_t sum = 0U;
     for (uint32_t i = 2U; i < value_to; i++) {
-        if ((int64_t)sum + (int64_t)(uint32_t)frame[i] > (int64_t)UINT32_MAX) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
         sum += (uint32_t)frame[i];
     }
-    *result = sum;
-    return BESSEMER_STATUS_OK;
+    return sum;
 }
 
 void checked_parts_behind(const uint8_t line[8], uint64_t from,
@@ -103,16 +97,10 @@ bessemer_status_t checked_parts_number(const uint8_t frame[6], uint64_t at,
         *result = number;
         return BESSEMER_STATUS_OK;
     }
-    if (UINT64_C(0) >= value_to - at) {
-        return BESSEMER_STATUS_INDEX;
-    }
     if (at >= UINT64_C(6)) {
         return BESSEMER_STATUS_INDEX;
     }
     const uint8_t result_element = frame[at];
-    if (UINT64_C(1) >= value_to - at) {
-        return BESSEMER_STATUS_INDEX;
-    }
     if (at + UINT64_C(1) >= UINT64_C(6)) {
         return BESSEMER_STATUS_INDEX;
     }
@@ -124,7 +112,7 @@ bessemer_status_t checked_parts_number(const uint8_t frame[6], uint64_t at,
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t checked_parts_sum_up_to(const uint8_t frame[6], uint64_t end,
+void checked_parts_sum_up_to(const uint8_t frame[6], uint64_t end,
     result_u16_checked_parts_missing_t *BESSEMER_RESTRICT result)
 {
     if (end > UINT64_C(6)) {
@@ -132,17 +120,13 @@ bessemer_status_t checked_parts_sum_up_to(const uint8_t frame[6], uint64_t end,
         result->value = 0U;
         result->error.tag = MISSING_TAG_BEYOND;
         result->error.beyond = end;
-        return BESSEMER_STATUS_OK;
+        return;
     }
     uint16_t sum = 0U;
     for (uint64_t i = UINT64_C(0); i < end; i++) {
-        if ((int64_t)sum + (int64_t)(uint16_t)frame[i] > INT64_C(65535)) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
         sum = (uint16_t)(sum + (uint16_t)frame[i]);
     }
     *result = (result_u16_checked_parts_missing_t){.is_ok = true, .value = sum};
-    return BESSEMER_STATUS_OK;
 }
 
 void checked_parts_speed_on(const list4_checked_parts_leg_t *route, uint64_t index,

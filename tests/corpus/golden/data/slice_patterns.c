@@ -7,19 +7,14 @@ static void slice_patterns_span_of(const float values[], uint64_t values_length,
 static bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t values_length,
     int16_t *BESSEMER_RESTRICT result);
 
-bessemer_status_t slice_patterns_decoded(const uint8_t bytes[6],
-    pair_u8_u32_t *BESSEMER_RESTRICT result)
+void slice_patterns_decoded(const uint8_t bytes[6], pair_u8_u32_t *BESSEMER_RESTRICT result)
 {
     uint32_t sum = 0U;
     for (uint32_t i = 1U; i < 6U; i++) {
-        if ((int64_t)sum + (int64_t)(uint32_t)bytes[i] > (int64_t)UINT32_MAX) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
         sum += (uint32_t)bytes[i];
     }
     result->first = bytes[0];
     result->second = sum;
-    return BESSEMER_STATUS_OK;
 }
 
 /** The span of some values; `None` if there are none. */

@@ -114,6 +114,23 @@ void covariances_by_factors(const double p[9], const double row[3], double innov
     }
 }
 
+void covariances_by_part(const double p[16], const double innovation[2],
+    triple_status_vector4_f64_matrix4x4_f64_t *BESSEMER_RESTRICT result)
+{
+    result->second[0] = 0.0;
+    result->second[1] = 0.0;
+    result->second[2] = 0.0;
+    result->second[3] = 0.0;
+    symmetric_f64_4_t covariance;
+    symmetric_f64_4_of_lower(p, &covariance);
+    const double variances[2] = {0.5, 0.25};
+    correction_f64_t report;
+    symmetric_f64_4_correct_part_2_2(&covariance, result->second, innovation, variances, 16.0,
+        &report);
+    result->first = report.status;
+    (void)memcpy(result->third, covariance.elements, sizeof(double[16]));
+}
+
 bessemer_status_t covariances_scaled(const float p[9], const float by[3],
     float result[BESSEMER_RESTRICT 4])
 {

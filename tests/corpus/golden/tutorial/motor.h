@@ -6,8 +6,8 @@
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
  * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
- * elements as are declared. Storage that a call writes through one argument is no other argument's:
- * a call that breaks this is undefined. A bool is 0 or 1, an enum one of its enumerators.
+ * elements as are declared. What a call writes through one argument is no other argument's, unless a
+ * comment says so: else it is undefined. A bool is 0 or 1, an enum one of its enumerators.
  */
 #ifndef MOTOR_H
 #define MOTOR_H

@@ -1,10 +1,9 @@
-//! Types that authors compare with numbers, on either side, also with literals; a type with the name of a number; the methods
-//! by which comparisons may be written.
+//! Types that authors compare with numbers, on either side, also with literals. Comparisons by methods.
 
 use bessemer::prelude::*;
 use core::cmp::Ordering;
 
-/// A number with an order beside plain numbers; its name is like that of one.
+/// A number with an order beside plain numbers; its name is like a number's.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct F32(pub f32);

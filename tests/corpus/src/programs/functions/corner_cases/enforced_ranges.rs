@@ -62,7 +62,7 @@ pub fn answered(error: f64) -> (f64, f64) {
     (valve.answer(error), valve.bounded(error))
 }
 
-/// What is passed is computed once; a fault of it comes first.
+/// Evaluates each argument once; a fault of one comes first.
 #[function]
 pub fn in_order(x: u8, by: u8) -> u8 {
     limited(x / by, 100 / by)

@@ -1,5 +1,4 @@
-//! Types of one's own that are `Zero` and `One` of `num_traits`, in generic code and beside it; functions of these traits for
-//! numbers of known types.
+//! Types of one's own that are `Zero` and `One` of `num_traits`. Functions of these traits for numbers of known types.
 
 use bessemer::prelude::*;
 use core::ops::{Add, Mul};
@@ -43,7 +42,7 @@ impl One for Cents {
     }
 }
 
-/// The sum of products, from `zero`; `one` replaces what is zero.
+/// The sum of products, from `zero`; `one` replaces zeros.
 #[function]
 fn dot<T: Zero + One + Copy>(one: [T; 3], other: [T; 3]) -> T {
     let mut total = T::zero();
