@@ -39,7 +39,7 @@ fn each_is_told_at_its_line() {
     while !untold.is_empty() {
         let (told, is_last) = step(&workspace, &untold);
         for (name, told) in &told {
-            let said = alike_in_each_turn(&diagnostic::render(told, &sources, false));
+            let said = alike_in_each_turn(name, &diagnostic::render(told, &sources, false));
             told.iter().for_each(|it| an_editor_finds(it, &workspace, &sources));
             let shown = INTERNAL.iter().filter(|it| said.contains(*it));
             internals.extend(shown.map(|it| format!("{name}: {it}")));
@@ -55,9 +55,12 @@ fn each_is_told_at_its_line() {
     assert!(internals.is_empty(), "names of the tool's own show: {internals:#?}");
 }
 
-/// Removes rustc's remark that a lint is on by default. It is on the first error of a kind in a build, which changes
-/// with the subset.
-fn alike_in_each_turn(said: &str) -> String {
+/// Removes what depends on the other mistakes of a subset.
+///
+/// rustc remarks that a lint is on by default beside the first error of a kind in a build, and writes the module of a
+/// type if another module has a type of this name.
+fn alike_in_each_turn(module: &str, said: &str) -> String {
+    let said = said.replace(&format!("{module}::"), "");
     let mut lines: Vec<&str> = Vec::new();
     for line in said.lines() {
         if line.trim_start().starts_with("= note: `#[") && line.ends_with("on by default") {
