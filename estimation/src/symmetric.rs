@@ -237,7 +237,7 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
             if !(square > T::ZERO) {
                 return Correction { surprise: T::ZERO, status: Status::Lost };
             }
-            // Of a number that is positive: so compilers need no case for others.
+            // The square is positive; `abs` lets compilers omit the case of a negative one.
             scales[m] = T::ONE / square.abs().sqrt();
             scaled[m] = rest * scales[m];
             surprise += scaled[m] * scaled[m];

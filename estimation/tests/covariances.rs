@@ -211,7 +211,7 @@ fn corrections_agree() {
     let mut of_factors = of_single;
     let mut surprise = 0.0;
     for m in 0..2 {
-        // Of what the state expects after the corrections before.
+        // The innovation shrinks by what the corrections before it explain.
         let rest = innovation[m] - rows[m].dot(&of_single);
         surprise += single.correct(&mut of_single, &rows[m], rest, noise.at(m, m), 50.0).surprise;
         let rest = innovation[m] - rows[m].dot(&of_factors);

@@ -189,7 +189,7 @@ function playing(tell: Playing): void {
   document.body.dataset["playing"] = fixed(tell.time, 2);
   if (get("player").hidden) {
     get("player").hidden = false;
-    // What commands is hidden: the column is the events'.
+    // A recording takes no commands: the events take their column.
     get("middle").prepend(get("events-title"), get("events"));
   }
   get("link").textContent = "recording";
