@@ -169,7 +169,7 @@ impl Live {
             self.hub.tell(&self.frame(record));
         }
         for (tool, _) in &mut self.tools {
-            tool.tell(&self.testbed, &done, &news);
+            tool.tell(&self.testbed, &situation, &done, &news);
         }
         while let Some((order, outcome)) = self.testbed.station.outcomes.pop_front() {
             if let Some((severity, text)) = events::outcome(&order, &outcome) {

@@ -5,6 +5,7 @@
 use super::Tool;
 use crate::bench::Period;
 use crate::recorder::is_shown;
+use crate::refusal::Situation;
 use crate::testbed::Testbed;
 use ::foxglove::{
     Context, FoxgloveError, PartialMetadata, RawChannel, Schema, WebSocketServerHandle,
@@ -57,7 +58,7 @@ impl Foxglove {
 }
 
 impl Tool for Foxglove {
-    fn tell(&mut self, _testbed: &Testbed, done: &Period, _news: &[News]) {
+    fn tell(&mut self, _testbed: &Testbed, _before: &Situation, done: &Period, _news: &[News]) {
         if !is_shown(done) || !self.channels.iter().any(|it| it.has_sinks()) {
             return;
         }

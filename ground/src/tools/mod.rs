@@ -32,6 +32,6 @@ pub trait Tool {
     /// Reports an event of the flight.
     fn report(&mut self, _event: &Event) {}
 
-    /// Tells it what a period came to.
-    fn tell(&mut self, testbed: &Testbed, done: &Period, news: &[News]);
+    /// Reports the results of a period, and the state of the flight before it.
+    fn tell(&mut self, testbed: &Testbed, before: &Situation, done: &Period, news: &[News]);
 }

@@ -106,8 +106,9 @@ assert order(interval, mavlink.MAVLINK_MSG_ID_ATTITUDE, 200_000) == mavlink.MAV_
 assert order(interval, mavlink.MAVLINK_MSG_ID_ATTITUDE, -7) == mavlink.MAV_RESULT_DENIED
 assert order(interval, mavlink.MAVLINK_MSG_ID_HEARTBEAT, -1) == mavlink.MAV_RESULT_DENIED
 assert order(interval, 9999, 1000) == mavlink.MAV_RESULT_UNSUPPORTED
-first, second = hear("ATTITUDE").time_boot_ms, hear("ATTITUDE").time_boot_ms
-assert 190 <= second - first <= 210, (first, second)
+# Attitudes of the old period may still wait in the socket.
+times = [hear("ATTITUDE").time_boot_ms]
+seen("another period", "ATTITUDE", lambda it: times.append(it.time_boot_ms) or 190 <= times[-1] - times[-2] <= 210)
 link.mav.command_long_send(
     *us, mavlink.MAV_CMD_REQUEST_MESSAGE, 0, mavlink.MAVLINK_MSG_ID_MESSAGE_INTERVAL, mavlink.MAVLINK_MSG_ID_ATTITUDE, 0, 0, 0, 0, 0
 )

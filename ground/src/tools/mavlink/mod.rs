@@ -233,13 +233,20 @@ impl Mavlink {
         seat: &Seat,
         it: &COMMAND_LONG_DATA,
     ) -> Vec<Ask> {
-        let accepted = MavResult::MAV_RESULT_ACCEPTED;
-        // A refused request still goes to the testbed, which refuses it for the same reason and reports it.
+        let starts = it.command == MavCmd::MAV_CMD_MISSION_START;
         let (result, asks) = match self.command(testbed, now, seat, it) {
-            Ok(mut asks) => match refusal::first_refused(&asks, now) {
-                Some(refused) => (MavResult::MAV_RESULT_DENIED, vec![asks.swap_remove(refused)]),
-                None => (accepted, asks),
-            },
+            Ok(mut asks) => {
+                let refused = refusal::first_refused(&asks, now);
+                // A mission ends by requests that replace its own, and does not begin if those are refused.
+                if !asks.is_empty() && starts == refused.is_some() {
+                    self.mission.leave();
+                }
+                match refused {
+                    // It still goes to the testbed, which refuses it for the same reason and reports it.
+                    Some(at) => (MavResult::MAV_RESULT_DENIED, vec![asks.swap_remove(at)]),
+                    None => (MavResult::MAV_RESULT_ACCEPTED, asks),
+                }
+            }
             Err(result) => (result, Vec::new()),
         };
         self.acknowledge(it.command, result);
@@ -271,7 +278,7 @@ impl Mavlink {
         it: &COMMAND_LONG_DATA,
     ) -> Verdict {
         match it.command {
-            MavCmd::MAV_CMD_REQUEST_MESSAGE => self.requested(testbed, it),
+            MavCmd::MAV_CMD_REQUEST_MESSAGE => self.requested(testbed, now, it),
             MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL => {
                 let number = number(it.param1).ok_or(MavResult::MAV_RESULT_DENIED)?;
                 let set = self.streams.set(number, it.param2.into(), id::HEARTBEAT);
@@ -283,26 +290,18 @@ impl Mavlink {
             MavCmd::MAV_CMD_MISSION_START if !seat.claim(false) => {
                 Err(MavResult::MAV_RESULT_TEMPORARILY_REJECTED)
             }
-            MavCmd::MAV_CMD_MISSION_START => {
-                let asks = self.mission.start(testbed.now(), &seen(testbed))?;
-                if refusal::first_refused(&asks, now).is_some() {
-                    self.mission.leave();
-                }
-                Ok(asks)
-            }
-            _ => {
-                let asks = command(testbed, it).and_then(|asks| allowed(seat, asks))?;
-                // A command that is refused does not end a mission.
-                match refusal::first_refused(&asks, now) {
-                    Some(_) => Ok(asks),
-                    None => self.instead(Ok(asks)),
-                }
-            }
+            MavCmd::MAV_CMD_MISSION_START => self.mission.start(testbed.now(), &seen(testbed)),
+            _ => command(testbed, it).and_then(|asks| allowed(seat, asks)),
         }
     }
 
     /// Sends a message that a command requests.
-    fn requested(&mut self, testbed: &Testbed, it: &COMMAND_LONG_DATA) -> Verdict {
+    fn requested(
+        &mut self,
+        testbed: &Testbed,
+        now: &Situation,
+        it: &COMMAND_LONG_DATA,
+    ) -> Verdict {
         let wanted = number(it.param1).ok_or(MavResult::MAV_RESULT_DENIED)?;
         let message = if wanted == MESSAGE_INTERVAL_DATA::ID {
             let of = number(it.param2).ok_or(MavResult::MAV_RESULT_DENIED)?;
@@ -311,7 +310,7 @@ impl Mavlink {
                 interval_us: self.streams.interval(of),
             }))
         } else if self.streams.contains(wanted) {
-            self.message(testbed, wanted)
+            self.message(testbed, now, wanted)
         } else {
             return Err(MavResult::MAV_RESULT_UNSUPPORTED);
         };
@@ -322,10 +321,10 @@ impl Mavlink {
     }
 
     /// Returns a message by its number; none if its signals are not received.
-    fn message(&self, testbed: &Testbed, number: u32) -> Option<MavMessage> {
+    fn message(&self, testbed: &Testbed, now: &Situation, number: u32) -> Option<MavMessage> {
         Some(match number {
             id::HEARTBEAT => telemetry::heartbeat(testbed),
-            id::SYS_STATUS => telemetry::system(testbed),
+            id::SYS_STATUS => telemetry::system(testbed, now),
             id::BATTERY => telemetry::battery(testbed),
             id::MISSION_CURRENT => self.mission.current(),
             id::HOME => telemetry::home(&self.origin),
@@ -421,7 +420,7 @@ impl Tool for Mavlink {
         }
     }
 
-    fn tell(&mut self, testbed: &Testbed, done: &Period, news: &[News]) {
+    fn tell(&mut self, testbed: &Testbed, now: &Situation, done: &Period, news: &[News]) {
         for message in std::mem::take(&mut self.wanted) {
             self.send(&message);
         }
@@ -437,7 +436,7 @@ impl Tool for Mavlink {
         let heard = testbed.station.silence(testbed.now()).is_some_and(|since| since < LOST);
         let record = testbed.station.record().map(|record| record.period);
         for number in self.streams.due(done.number, record, heard) {
-            if let Some(message) = self.message(testbed, number) {
+            if let Some(message) = self.message(testbed, now, number) {
                 self.send(&message);
             }
         }

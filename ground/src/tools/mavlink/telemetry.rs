@@ -4,6 +4,7 @@
 //! forward, right, down, in the order yaw, pitch, roll.
 
 use crate::catalogue;
+use crate::refusal::{self, Situation};
 use crate::testbed::{Testbed, period};
 use ::mavlink::dialects::common::*;
 use models::{Alarm, Phase};
@@ -114,8 +115,16 @@ pub fn origin(origin: &Origin) -> MavMessage {
     })
 }
 
-/// Returns the state of sensors, motors and battery.
-pub fn system(testbed: &Testbed) -> MavMessage {
+/// Sensors and motors that the aircraft has, that are in use, and that are healthy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Parts {
+    present: MavSysStatusSensor,
+    enabled: MavSysStatusSensor,
+    healthy: MavSysStatusSensor,
+}
+
+/// Returns the state of the parts. A sensor whose age is not received is neither enabled nor healthy.
+fn parts(now: &Situation) -> Parts {
     use MavSysStatusSensor as Part;
     let inertial = Part::MAV_SYS_STATUS_SENSOR_3D_GYRO | Part::MAV_SYS_STATUS_SENSOR_3D_ACCEL;
     let (vicon, height) = (
@@ -125,22 +134,28 @@ pub fn system(testbed: &Testbed) -> MavMessage {
     let (motors, ready) =
         (Part::MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS, Part::MAV_SYS_STATUS_PREARM_CHECK);
     let present = inertial | vicon | height | motors | ready;
-    let mut health = present;
-    let [seen, measured] = testbed.station.received(catalogue::AGES).unwrap_or_default();
-    for (part, age) in [(vicon, seen), (height, measured)] {
-        health.set(part, age <= SENSOR_TIMEOUT);
+    let (mut enabled, mut healthy) = (present, present);
+    let checks = refusal::checks(now);
+    let [_, _, seen, measured, _] = &checks;
+    for (part, check) in [(vicon, seen), (height, measured)] {
+        enabled.set(part, check.known);
+        healthy.set(part, check.known && check.problem.is_none());
     }
-    let alarmed = is_alarmed(testbed);
-    health.set(motors, !alarmed);
-    health.set(ready, seen <= SENSOR_TIMEOUT && measured <= SENSOR_TIMEOUT);
-    let flying = is_flying(testbed.station.phase());
-    let mut enabled = present;
-    enabled.set(motors, flying);
+    enabled.set(motors, now.is_flying());
+    healthy.set(motors, now.clear);
+    // An aircraft that flies has passed the checks.
+    healthy.set(ready, now.is_flying() || checks.iter().all(|check| check.problem.is_none()));
+    Parts { present, enabled, healthy }
+}
+
+/// Returns the state of sensors, motors and battery.
+pub fn system(testbed: &Testbed, now: &Situation) -> MavMessage {
+    let Parts { present, enabled, healthy } = parts(now);
     let cell = testbed.bench.battery();
     MavMessage::SYS_STATUS(SYS_STATUS_DATA {
         onboard_control_sensors_present: present,
         onboard_control_sensors_enabled: enabled,
-        onboard_control_sensors_health: health,
+        onboard_control_sensors_health: healthy,
         voltage_battery: (1000.0 * cell.voltage()) as u16,
         current_battery: (100.0 * cell.current()) as i16,
         battery_remaining: (100.0 * cell.left()).ceil() as i8,
@@ -173,9 +188,6 @@ pub fn version() -> MavMessage {
         ..AUTOPILOT_VERSION_DATA::DEFAULT
     })
 }
-
-/// Age of a measurement above which a sensor is not healthy, s.
-const SENSOR_TIMEOUT: f64 = 0.5;
 
 /// Returns the position of the aircraft in the room, m, if it is received.
 pub fn place(testbed: &Testbed) -> Option<Vector3<f64>> {
@@ -267,4 +279,49 @@ pub fn battery(testbed: &Testbed) -> MavMessage {
         battery_remaining: (100.0 * it.left()).ceil() as i8,
         ..BATTERY_STATUS_DATA::DEFAULT
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use MavSysStatusSensor as Part;
+
+    #[test]
+    fn a_sensor_is_healthy_only_if_its_age_is_received_and_small() {
+        let now = |ages| Situation {
+            phase: Phase::Ready as u8,
+            clear: true,
+            arming: false,
+            planned: false,
+            silence: Some(0.0),
+            motors: 4,
+            height: Some(0.0),
+            speed: Some(0.0),
+            ages,
+        };
+        let (vicon, height) = (
+            Part::MAV_SYS_STATUS_SENSOR_EXTERNAL_GROUND_TRUTH,
+            Part::MAV_SYS_STATUS_SENSOR_LASER_POSITION,
+        );
+        let (ready, none) = (Part::MAV_SYS_STATUS_PREARM_CHECK, Part::empty());
+        let rows = [
+            (now(Some([0.01, 0.0])), vicon | height, vicon | height | ready),
+            (now(Some([2.0, 0.0])), vicon | height, height),
+            (now(Some([0.0, f64::NAN])), vicon | height, vicon),
+            // An aircraft may be armed if a check is not known.
+            (now(None), none, ready),
+            // Without telemetry, received ages are old.
+            (Situation { silence: None, ..now(Some([0.0, 0.0])) }, none, none),
+        ];
+        for (now, enabled, healthy) in rows {
+            let it = parts(&now);
+            assert_eq!(it.enabled & (vicon | height), enabled, "{now:?}");
+            assert_eq!(it.healthy & (vicon | height | ready), healthy, "{now:?}");
+        }
+        let flying = Situation { phase: Phase::Flight as u8, ..now(Some([0.0, 0.0])) };
+        let motors = Part::MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS;
+        assert!(parts(&flying).healthy.contains(ready | motors));
+        assert!(parts(&flying).enabled.contains(motors));
+        assert!(!parts(&Situation { clear: false, ..flying }).healthy.contains(motors));
+    }
 }
