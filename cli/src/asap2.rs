@@ -206,7 +206,9 @@ fn one(text: &mut String, face: &Interface, of: &Variable, leaf: &Leaf, units: &
         }
     };
     let counts: Vec<u32> = leaf.value.dimensions.iter().map(|it| it.unwrap_or(0)).collect();
-    let dimensions: String = counts.iter().map(|count| format!(" {count}")).collect();
+    // ASAP2 has a list of them since 1.70, and three before; three are read by both kinds of readers.
+    let filled = counts.iter().chain(std::iter::repeat(&1)).take(counts.len().max(3));
+    let dimensions: String = filled.map(|count| format!(" {count}")).collect();
     let dimensions =
         if counts.is_empty() { String::new() } else { format!(" MATRIX_DIM{dimensions}") };
     let _ = match of.ty.component {

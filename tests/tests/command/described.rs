@@ -82,6 +82,13 @@ fn read_back(package: &Path, elf: &Path, enums: &str) {
         ["controller=motor_t", "gains=gains_t", "observer=observer_t", "tuning=tuning_t"];
     let text = described(package, elf, &variables).unwrap_or_else(|said| panic!("{said}"));
     assert_eq!(text.matches("/begin").count(), text.matches("/end").count());
+    // Fewer than three dimensions are an error for readers of ASAP2 before 1.70.
+    let arrays: Vec<_> = text.split("MATRIX_DIM ").skip(1).collect();
+    assert!(!arrays.is_empty(), "{text}");
+    for array in arrays {
+        let numbers = array.split_whitespace().take_while(|it| it.parse::<u32>().is_ok());
+        assert_eq!(numbers.count(), 3, "{array}");
+    }
     let Some(mut python) = python_with("pya2l") else { return };
     let file = package.join("calibrated.a2l");
     fs::write(&file, text).expect("the description");
@@ -140,7 +147,9 @@ for variable in os.environ["VARIABLES"].split():
             low, high = field.get("range", (low, high))
             meaning = field.get("unit", "")
         comment = field.get("comment", "").replace("\n", " ")
-        expected[path] = (kind, at, ty, float(low), float(high), dimensions, meaning, comment)
+        # At least three, so that readers of older versions accept the file.
+        filled = dimensions + [1] * (3 - len(dimensions)) if dimensions else []
+        expected[path] = (kind, at, ty, float(low), float(high), filled, meaning, comment)
 
 session = pya2l.import_a2l("calibrated.a2l", in_memory=True, encoding="utf-8-sig", loglevel="ERROR", progress_bar=False)
 assert session.query(model.ModCommon).one().byte_order.byteOrder == "MSB_LAST"
