@@ -119,6 +119,16 @@ impl Page {
         }
     }
 
+    /// Reads until a state comes for which something holds: earlier ones may still wait in the socket.
+    fn state(&mut self, holds: impl Fn(&Value) -> bool) -> Value {
+        loop {
+            let state = self.hear("state");
+            if holds(&state) {
+                return state;
+            }
+        }
+    }
+
     /// Commands, which the server grants or not.
     fn claim(&mut self, token: &str, force: bool) -> bool {
         self.ask(&json!({ "type": "claim", "token": token, "force": force }));
@@ -335,7 +345,7 @@ fn a_thousand_connections_keep_nobody_from_flying() {
     let now = served.live.testbed.now();
     served.until("met again", |testbed| testbed.restarts == 1 && testbed.now() > now + 3.0);
     assert!(served.live.testbed.bench.is_answered() && served.live.timing().missed == 0);
-    let state = page.hear("state");
+    let state = page.state(|state| state["time"].as_f64().is_some_and(|time| time > now));
     assert!(state["pages"].as_u64().is_some_and(|pages| pages <= 256), "{state}");
 
     // They leave; whoever comes now is let in.
@@ -352,10 +362,7 @@ fn a_full_disk_ends_the_recording_and_nothing_else() {
     served.until("a while", |testbed| testbed.now() > 30.0);
     served.live.save();
     served.until("told", |testbed| testbed.now() > 31.0);
-    let mut state = page.hear("state");
-    while state["time"].as_f64().is_some_and(|time| time < 30.5) {
-        state = page.hear("state");
-    }
+    let state = page.state(|state| state["time"].as_f64().is_some_and(|time| time >= 30.5));
     let error = state["recording"]["error"].as_str().unwrap_or_default().to_owned();
     assert!(error.contains("No space left"), "{state}");
     assert!(served.live.testbed.bench.is_answered());
@@ -371,10 +378,7 @@ fn a_recording_that_cannot_begin_is_shown_on_the_page() {
     page.ask(&json!({ "type": "record" }));
     page.settle();
     served.until("a second", |testbed| testbed.now() > 1.0);
-    let mut state = page.hear("state");
-    while state["recording"]["error"].is_null() {
-        state = page.hear("state");
-    }
+    let state = page.state(|state| !state["recording"]["error"].is_null());
     let error = state["recording"]["error"].as_str().unwrap_or_default().to_owned();
     assert!(error.contains("cannot be written: No such file or directory"), "{state}");
     assert_eq!(served.live.failure().as_ref(), Some(&error), "and on the terminal");
@@ -546,7 +550,7 @@ fn a_recording_is_made_and_downloaded() {
     served.until("saved", |testbed| testbed.now() > 2.0);
     let answer = served.get(&format!("GET /flight.mcap?token={token}"));
     assert!(answer.starts_with("HTTP/1.1 200") && answer.contains("MCAP0"));
-    let state = page.hear("state");
+    let state = page.state(|state| state["time"].as_f64().is_some_and(|time| time > 1.5));
     let name = state["recordings"][0].as_str().unwrap_or_default().to_owned();
     assert!(name.starts_with("flight-") && name.ends_with(".mcap"), "{state}");
     let path = format!("GET /recordings/{name}");
