@@ -34,10 +34,10 @@ fn perform(task: &Task) -> Result<Outcome, Error> {
         Task::Crates(wanted) => bench::crates(&root, wanted, &ThisMachine),
         Task::Book => book::run(&root, &ThisMachine),
         Task::Simulation(_) => {
-            hand_over::run(&root, "sim-program", &[], std::env::args_os().skip(1))
+            hand_over::run(&root, &hand_over::SIMULATION, &[], std::env::args_os().skip(1))
         }
         Task::Ground(task) => {
-            hand_over::run(&root, "ground", &task.features(), std::env::args_os().skip(1))
+            hand_over::run(&root, &hand_over::GROUND, &task.features(), std::env::args_os().skip(1))
         }
     }
 }

@@ -32,6 +32,10 @@ pub fn cargo(root: &Path, arguments: &[&str]) -> Command {
     command
 }
 
+/// Arguments that select the workspace's features for a single package, so that its dependencies are built as for all
+/// packages.
+pub const UNIFIED: [&str; 4] = ["-p", "unified", "--features", "unified/tests"];
+
 /// Makes cargo build the workspace's packages with the compiler that also lints. `cargo clippy` would check
 /// everything a second time, separately from the build.
 pub fn lint(cargo: &mut Command) -> &mut Command {

@@ -203,6 +203,17 @@ pub fn answered(command: &mut Command, voice: &Voice) -> Result<(ExitStatus, Str
     Ok((status, text.map_err(|source| spawn_error(command, source))?))
 }
 
+/// Runs a program whose errors go to the terminal; returns its standard output.
+///
+/// # Errors
+///
+/// [`Error::Spawn`] if it does not start.
+pub fn answered_beside(command: &mut Command) -> Result<(ExitStatus, String), Error> {
+    command.stderr(Stdio::inherit());
+    let output = command.output().map_err(|source| spawn_error(command, source))?;
+    Ok((output.status, String::from_utf8_lossy(&output.stdout).into_owned()))
+}
+
 fn heard(command: &mut Command, voice: &Voice) -> Result<(ExitStatus, Vec<String>), Error> {
     if anstream::AutoStream::choice(&std::io::stderr()) != anstream::ColorChoice::Never {
         command.env("CARGO_TERM_COLOR", "always");

@@ -9,7 +9,7 @@ use serde_json::Value;
 use shared::{File, files, none, root};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-use xtask::mutate::sandbox::UNIFIED;
+use xtask::project::UNIFIED;
 
 /// The longest that a Rust file written by hand may be.
 const LONGEST: usize = 600;
@@ -91,13 +91,15 @@ fn packages() -> Vec<Value> {
 }
 
 /// Cargo builds a package once for each set of features. `xtask/unified/Cargo.toml` requests what the tests request, so
-/// that the compiler, and all below it, is built once for both; and what the one package that tells of a mutant rests on.
+/// that the compiler, and all below it, is built once for both; and what a package whose own test finds a mutant, and the
+/// ground station, depend on.
 #[test]
 fn what_a_part_needs_is_built_once() {
     let of_tests = built(&["--workspace", "--edges", "normal,build,dev"]);
     let mut twice = built(&["--package", "xtask", "--edges", "normal,build"]);
-    for package in packages_that_tell() {
-        let mut part = vec!["--package", &package, "--edges", "normal,build,dev"];
+    let finders = packages_that_tell().into_iter().map(|package| (package, "normal,build,dev"));
+    for (package, edges) in finders.chain([("ground".to_owned(), "normal,build")]) {
+        let mut part = vec!["--package", &package, "--edges", edges];
         part.extend(UNIFIED);
         twice.extend(built(&part).into_iter().filter(|it| !it.starts_with("unified ")));
     }

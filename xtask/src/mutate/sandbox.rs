@@ -18,10 +18,6 @@ use super::seed;
 use crate::error::Error;
 use crate::project;
 
-/// Arguments that select the workspace's features for a single package, so that its dependencies are built as for all
-/// packages.
-pub const UNIFIED: [&str; 4] = ["-p", "unified", "--features", "unified/tests"];
-
 /// A copy of the work tree at `root`.
 #[derive(Debug)]
 pub struct Sandbox {
@@ -120,7 +116,7 @@ impl Sandbox {
     pub fn cargo(&self, command: &str) -> Command {
         let mut words: Vec<&str> = command.split_whitespace().collect();
         if words.get(1) == Some(&"-p") {
-            words.splice(1..1, UNIFIED);
+            words.splice(1..1, project::UNIFIED);
         }
         let mut cargo = project::cargo(&self.tree, &words);
         // A snapshot that differs is a failure; nobody accepts it there.
