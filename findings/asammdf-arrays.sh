@@ -2,7 +2,8 @@
 # asammdf 8.8.28: a signal whose samples are a matrix of numpy is read back as its first numbers, one for each row.
 #
 # Guessed: four samples of two numbers, an array of the shape (4, 2), are written as an array channel, or refused.
-# Seen:    appended, saved and opened again, 0 … 7 has become 0, 1, 2, 3, which is neither a column (0, 2, 4, 6) nor a row. The same numbers in a record with a field of two numbers come back right. Nothing warns.
+# Seen:    appended, saved and opened again, 0 … 7 has become 0, 1, 2, 3, which is neither a column (0, 2, 4, 6) nor a row.
+#          Nothing warns. The same numbers in a record with a field of two numbers come back right.
 # So:      pass arrays as records (`np.rec.fromarrays` with a type such as `(2,)<f8`), or one signal for each element.
 set -euo pipefail
 folder=$(mktemp -d)

@@ -11,6 +11,8 @@ from pymavlink.dialects.v20 import common as mavlink
 
 # A limit only ends a mission that would never end.
 LIMIT = 60.0
+# A type of vehicle or station that no dialect has yet.
+NEWER_TYPE = 200
 
 link = mavutil.mavlink_connection("udpin:127.0.0.1:0", source_system=255, dialect="common")
 KEY = bytes.fromhex(sys.argv[1])
@@ -25,7 +27,8 @@ def hear(kinds, holds=lambda _: True, limit=LIMIT):
     while time.monotonic() < end:
         if link.target_system and time.monotonic() >= next_beat:
             next_beat = time.monotonic() + 1.0
-            link.mav.heartbeat_send(mavlink.MAV_TYPE_GCS, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, 0)
+            # It is heard, although this type is not understood.
+            link.mav.heartbeat_send(NEWER_TYPE, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, 0)
         message = link.recv_match(type=kinds, blocking=True, timeout=0.2)
         if message is not None and holds(message):
             return message
@@ -158,7 +161,9 @@ link.mav.set_position_target_local_ned_send(
     0, link.target_system, link.target_component, mavlink.MAV_FRAME_LOCAL_NED, 0b100111111000,
     0.8, 0.4, -1.2, 0, 0, 0, 0, 0, 0, 0.5, 0,
 )
-seen("it is there", "LOCAL_POSITION_NED", there(0.8, 0.4, -1.2))
+since = seen("it arrives", "LOCAL_POSITION_NED", there(0.8, 0.4, -1.2)).time_boot_ms
+# Longer than the silence after which a station loses the right to command: only heartbeats are sent.
+seen("it is there", "LOCAL_POSITION_NED", lambda it: it.time_boot_ms > since + 7000)
 seen("it has turned", "ATTITUDE", lambda it: abs(it.yaw - 0.5) < 0.1 and abs(it.roll) < 0.1 and abs(it.pitch) < 0.1)
 seen("the battery drains", "BATTERY_STATUS", lambda it: 3000 < it.voltages[0] < 4200 and it.battery_remaining < 100)
 

@@ -364,13 +364,13 @@ impl Tool for Mavlink {
             loop {
                 match reader.read_raw_message::<MavMessage>(MavlinkVersion::V2) {
                     Ok(MAVLinkMessageRaw::V2(raw)) if self.signature.admits(&raw) => {
-                        // Of a kind that `common` does not have.
+                        self.heard = Some(now);
+                        // With a number that an enum of `common` does not have: heard, but not understood.
                         let Ok(message) =
                             MavMessage::parse(MavlinkVersion::V2, raw.message_id(), raw.payload())
                         else {
                             continue;
                         };
-                        self.heard = Some(now);
                         if addressed(&message).is_none_or(is_ours) {
                             let from = (raw.system_id() as u8, raw.component_id());
                             let new = self.take(testbed, &situation, seat, from, &message);
