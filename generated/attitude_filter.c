@@ -43,7 +43,7 @@ void attitude_filter_level(double angle, double bias, attitude_filter_t *attitud
 }
 
 void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const double measured[3],
-    double period, double noise, double drift, double work[BESSEMER_RESTRICT 144])
+    double period, double noise, double drift, double work[BESSEMER_RESTRICT 108])
 {
     orientation_t orientation;
     orientation_of(self->angles, &orientation);
@@ -66,9 +66,7 @@ void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const do
         growth[n] = turn * turn;
         growth[n + 3U] = wander;
     }
-    double *const covariance_growth = &work[36];
-    covariance_diagonal_6(growth, covariance_growth);
-    covariance_grown_6(self->covariance, advance, covariance_growth, &work[72], self->covariance);
+    covariance_grown_6(self->covariance, advance, growth, &work[36], self->covariance);
 }
 
 bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, const double row[6],

@@ -44,7 +44,7 @@ void attitude_filter_level(double angle, double bias, attitude_filter_t *attitud
  * `work` is scratch memory; its contents mean nothing between calls.
  */
 void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const double measured[3],
-    double period, double noise, double drift, double work[BESSEMER_RESTRICT 144]);
+    double period, double noise, double drift, double work[BESSEMER_RESTRICT 108]);
 
 /**
  * Corrects the state by a measurement of the angle that `row` selects: `innovation` is measured minus estimated.

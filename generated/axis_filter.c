@@ -42,9 +42,7 @@ void axis_filter_predict(axis_filter_t *self, double acceleration, double period
     const double push = noise * period;
     const double wander = drift * drift * period;
     const double slip = 0.5 * push * period;
-    const double growth_values[3] = {slip * slip, push * push, wander};
-    double growth[9];
-    covariance_diagonal_3(growth_values, growth);
+    const double growth[3] = {slip * slip, push * push, wander};
     covariance_grown_3(self->covariance, advance, growth, self->covariance);
 }
 

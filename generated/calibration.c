@@ -67,9 +67,8 @@ void calibration_measured(const calibration_t *self, const readings_t *readings,
     measured->force[0] = force[0] - self->accelerometer_offset[0];
     measured->force[1] = force[1] - self->accelerometer_offset[1];
     measured->force[2] = force[2] - self->accelerometer_offset[2];
-    const double measured_vector[2] = {(double)forward, (double)sideways};
-    measured->flow_velocity[0] = measured_vector[0] * self->flow_scale;
-    measured->flow_velocity[1] = measured_vector[1] * self->flow_scale;
+    measured->flow_velocity[0] = (double)forward * self->flow_scale;
+    measured->flow_velocity[1] = (double)sideways * self->flow_scale;
     measured->inertial = inertial->fresh && in_range;
     measured->echo = readings->echo.fresh;
     measured->distance = (double)readings->echo.delay * 1e-6 * self->sound / 2.0;

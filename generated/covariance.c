@@ -35,43 +35,30 @@ void covariance_diagonal_3(const double values[3], double all[BESSEMER_RESTRICT 
     }
 }
 
-void covariance_diagonal_6(const double values[6], double all[BESSEMER_RESTRICT 36])
-{
-    for (uint32_t i = 0U; i < 36U; i++) {
-        all[i] = 0.0;
-    }
-    for (uint32_t n = 0U; n < 6U; n++) {
-        all[n + 6U * n] = values[n];
-    }
-}
-
-void covariance_grown_3(const double covariance[9], const double advance[9], const double growth[9],
+void covariance_grown_3(const double covariance[9], const double advance[9], const double growth[3],
     double result[9])
 {
-    double result_product[9];
-    product_f64_3x3_3x3(advance, covariance, result_product);
-    double result_product_2[9];
-    product_tr_f64_3x3_3x3(result_product, advance, result_product_2);
-    double result_matrix[9];
-    BESSEMER_FEW_PASSES
-    for (uint32_t i = 0U; i < 9U; i++) {
-        result_matrix[i] = result_product_2[i] + growth[i];
+    double moved_product[9];
+    product_f64_3x3_3x3(advance, covariance, moved_product);
+    double moved[9];
+    product_tr_f64_3x3_3x3(moved_product, advance, moved);
+    for (uint32_t n = 0U; n < 3U; n++) {
+        moved[n + 3U * n] += growth[n];
     }
-    covariance_symmetric_3(result_matrix, result);
+    covariance_symmetric_3(moved, result);
 }
 
 void covariance_grown_6(const double covariance[36], const double advance[36],
-    const double growth[36], double work[BESSEMER_RESTRICT 72], double result[36])
+    const double growth[6], double work[BESSEMER_RESTRICT 72], double result[36])
 {
-    double *const result_product = work;
-    product_f64_6x6_6x6(advance, covariance, result_product);
-    double *const result_product_2 = &work[36];
-    product_tr_f64_6x6_6x6(result_product, advance, result_product_2);
-    double *const result_matrix = work;
-    for (uint32_t i = 0U; i < 36U; i++) {
-        result_matrix[i] = result_product_2[i] + growth[i];
+    double *const moved_product = &work[36];
+    product_f64_6x6_6x6(advance, covariance, moved_product);
+    double *const moved = work;
+    product_tr_f64_6x6_6x6(moved_product, advance, moved);
+    for (uint32_t n = 0U; n < 6U; n++) {
+        moved[n + 6U * n] += growth[n];
     }
-    covariance_symmetric_6(result_matrix, result);
+    covariance_symmetric_6(moved, result);
 }
 
 void covariance_corrected_3(const double covariance[9], const double row[3], const double gain[3],

@@ -29,30 +29,23 @@ extern "C" {
 void covariance_diagonal_3(const double values[3], double all[BESSEMER_RESTRICT 9]);
 
 /**
- * Returns the diagonal matrix of the values.
+ * Propagates a covariance by the Jacobian `advance` and adds the variances `growth` of the process noise.
  *
- * `all` by columns: [row + 6 * column].
- */
-void covariance_diagonal_6(const double values[6], double all[BESSEMER_RESTRICT 36]);
-
-/**
- * Propagates a covariance by the Jacobian `advance` and adds the process noise `growth`.
- *
- * `covariance`, `advance`, `growth`, `result` by columns: [row + 3 * column].
+ * `covariance`, `advance`, `result` by columns: [row + 3 * column].
  * `result` may lie in `covariance`, which is read before it is written.
  */
-void covariance_grown_3(const double covariance[9], const double advance[9], const double growth[9],
+void covariance_grown_3(const double covariance[9], const double advance[9], const double growth[3],
     double result[9]);
 
 /**
- * Propagates a covariance by the Jacobian `advance` and adds the process noise `growth`.
+ * Propagates a covariance by the Jacobian `advance` and adds the variances `growth` of the process noise.
  * `work` is scratch memory; its contents mean nothing between calls.
  *
- * `covariance`, `advance`, `growth`, `result` by columns: [row + 6 * column].
+ * `covariance`, `advance`, `result` by columns: [row + 6 * column].
  * `result` may lie in `covariance`, which is read before it is written.
  */
 void covariance_grown_6(const double covariance[36], const double advance[36],
-    const double growth[36], double work[BESSEMER_RESTRICT 72], double result[36]);
+    const double growth[6], double work[BESSEMER_RESTRICT 72], double result[36]);
 
 /**
  * Corrects a covariance by a scalar measurement, in Joseph's form: (I − K h) P (I − K h)ᵀ + K r Kᵀ. `row` is h, `gain`

@@ -145,11 +145,10 @@ static alarm_t crash_predictor_find_in_motion(const limits_t *limits, const esti
      */
     double direction[3];
     orientation_thrust_direction(orientation, direction);
-    const double pull_vector[3] = {direction[0], direction[1], 0.0};
     const double pull[3] = {
-        pull_vector[0] * AIRFRAME_GRAVITY,
-        pull_vector[1] * AIRFRAME_GRAVITY,
-        pull_vector[2] * AIRFRAME_GRAVITY
+        direction[0] * AIRFRAME_GRAVITY,
+        direction[1] * AIRFRAME_GRAVITY,
+        0.0 * AIRFRAME_GRAVITY
     };
     const double velocity[3] = {
         now->velocity[0] + pull[0] * horizon,

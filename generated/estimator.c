@@ -83,7 +83,7 @@ static void estimator_read_inertial(estimator_t *BESSEMER_RESTRICT self, const s
     const push_t *commanded, const measured_t *measured);
 static double estimator_reset_timeout(const estimator_t *self);
 static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    double work[BESSEMER_RESTRICT 144], orientation_t *BESSEMER_RESTRICT orientation);
+    double work[BESSEMER_RESTRICT 108], orientation_t *BESSEMER_RESTRICT orientation);
 static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
     const sensors_t *sensors, const measured_t *measured, const orientation_t *orientation,
     double work[BESSEMER_RESTRICT 108]);
@@ -283,7 +283,7 @@ static double estimator_reset_timeout(const estimator_t *self)
  * `work` is scratch memory; its contents mean nothing between calls.
  */
 static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    double work[BESSEMER_RESTRICT 144], orientation_t *BESSEMER_RESTRICT orientation)
+    double work[BESSEMER_RESTRICT 108], orientation_t *BESSEMER_RESTRICT orientation)
 {
     double noise[2] = {sensors->gyroscope[0], sensors->gyroscope[1]};
     if (estimator_gyro_lost(self)) {
@@ -313,12 +313,7 @@ static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors
         push_rotation[2 + 3 * 0] * self->force[0] + push_rotation[2 + 3 * 1] * self->force[1]
             + push_rotation[2 + 3 * 2] * self->force[2]
     };
-    const double push_vector[3] = {0.0, 0.0, AIRFRAME_GRAVITY};
-    double push[3] = {
-        push_product[0] - push_vector[0],
-        push_product[1] - push_vector[1],
-        push_product[2] - push_vector[2]
-    };
+    double push[3] = {push_product[0], push_product[1], push_product[2] - AIRFRAME_GRAVITY};
     if (!self->force_measured && self->axes[2].state[0] < GROUND_CONTACT_HEIGHT) {
         push[2] = max_f64(push[2], 0.0);
     }

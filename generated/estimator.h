@@ -118,7 +118,7 @@ typedef struct {
 
 /** Working memory of its entry point; the contents are undefined between calls. */
 typedef struct {
-    double numbers[144];
+    double numbers[108];
 } estimator_step_work_t;
 
 /** Returns the parameters of the Mambo with a Vicon of 100 Hz. */

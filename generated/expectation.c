@@ -88,8 +88,7 @@ void expectation_correct_force(expectation_t *BESSEMER_RESTRICT self, const doub
 
 void expectation_predicted_force(const expectation_t *self, double result[BESSEMER_RESTRICT 3])
 {
-    const double result_vector[3] = {0.0, 0.0, self->push.force};
-    result[0] = result_vector[0] + self->force[0];
-    result[1] = result_vector[1] + self->force[1];
-    result[2] = result_vector[2] + self->force[2];
+    result[0] = 0.0 + self->force[0];
+    result[1] = 0.0 + self->force[1];
+    result[2] = self->push.force + self->force[2];
 }

@@ -63,11 +63,10 @@ void geometric_track(const parameters_t *parameters, const estimate_t *estimate,
         0.5 * (difference[0 + 3 * 2] - difference[2 + 3 * 0]),
         0.5 * (difference[1 + 3 * 0] - difference[0 + 3 * 1])
     };
-    const double error_rate_vector[3] = {0.0, 0.0, -target->yaw_rate};
     const double error_rate[3] = {
-        estimate->rates[0] - error_rate_vector[0],
-        estimate->rates[1] - error_rate_vector[1],
-        estimate->rates[2] - error_rate_vector[2]
+        estimate->rates[0],
+        estimate->rates[1],
+        estimate->rates[2] - (-target->yaw_rate)
     };
     const damped_t gains = parameters->geometric.attitude;
     const double turn[3] = {

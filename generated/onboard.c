@@ -128,7 +128,6 @@ void onboard_step(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
     reference_generator_step(&self->reference, &settings->course, &self->receiver.orders,
         &outputs->estimate, landed, degraded, &outputs->reference);
     onboard_update_gain(self, settings, &outputs->reference);
-    command_still(&outputs->command);
     if (outputs->reference.motors) {
         const double friction = settings->injection.friction;
         double whole[AIRFRAME_MAX_MOTORS];
@@ -141,6 +140,8 @@ void onboard_step(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
         }
         controller_step(&self->controller, &settings->parameters, &outputs->estimate,
             &outputs->reference.target, share, &outputs->command);
+    } else {
+        command_still(&outputs->command);
     }
     parameters_push(&settings->parameters, &outputs->command, &self->commanded);
     estimator_variances(&self->estimator, outputs->variances);

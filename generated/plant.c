@@ -68,10 +68,9 @@ void motion_slope(const motion_t *self, const airframe_t *airframe, const wrench
         wrench->torque[2] - turn_cross[2]
     };
     orientation_angle_rates(&orientation, self->rates, motion->angles);
-    const double motion_vector[3] = {0.0, 0.0, AIRFRAME_GRAVITY};
-    motion->velocity[0] = push[0] - motion_vector[0];
-    motion->velocity[1] = push[1] - motion_vector[1];
-    motion->velocity[2] = push[2] - motion_vector[2];
+    motion->velocity[0] = push[0];
+    motion->velocity[1] = push[1];
+    motion->velocity[2] = push[2] - AIRFRAME_GRAVITY;
     motion->rates[0] = turn[0] / airframe->inertia[0];
     motion->rates[1] = turn[1] / airframe->inertia[1];
     motion->rates[2] = turn[2] / airframe->inertia[2];

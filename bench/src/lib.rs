@@ -10,6 +10,7 @@
 //! | [`rebuild`] | what the attributes add to a rebuild of the corpus |
 //! | [`shapes`] | growth of the tool's own time with the size of a function |
 //! | [`elementary`] | the elementary functions against glibc and newlib |
+//! | [`moved`] | the bytes that a control period copies or clears |
 //! | [`onboard`] | what a control period of the onboard software takes on the Cortex-A9 |
 //! | [`accuracy_points`] | the elementary functions on the points of their accuracy, on every leg |
 //! | [`threads`] | what a second thread brings to large kernels |
@@ -30,6 +31,7 @@ pub mod equality;
 pub mod generation;
 pub mod kernels;
 pub mod long;
+pub mod moved;
 pub mod onboard;
 pub mod rebuild;
 pub mod shapes;

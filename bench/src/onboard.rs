@@ -15,6 +15,7 @@ use std::fmt::Write as _;
 use std::fs::File;
 
 use crate::count::fed;
+use crate::moved;
 
 /// The flights: of each candidate, of each airframe, with and without feed-forward.
 const FLIGHTS: [&str; 5] = ["hover", "gravity-64", "vicon-lost", "geometric", "hexacopter"];
@@ -29,12 +30,19 @@ pub struct Row {
     pub flight: &'static str,
     /// Executed instructions of each period, in order.
     pub counts: Vec<u64>,
+    /// Bytes that all periods together copy or clear.
+    pub moved: u64,
 }
 
 impl Row {
     /// Returns the mean of the counts.
     pub fn mean(&self) -> f64 {
         self.counts.iter().sum::<u64>() as f64 / self.counts.len().max(1) as f64
+    }
+
+    /// Returns the mean of the bytes that a period copies or clears.
+    pub fn mean_moved(&self) -> f64 {
+        self.moved as f64 / self.counts.len().max(1) as f64
     }
 
     /// Returns the number below which a fraction `share` of the periods are.
@@ -82,6 +90,10 @@ pub fn measure(longest: f64) -> Result<Vec<Row>, String> {
     std::fs::write(&main, harness::marked(&compiled.explicit, step, params)).map_err(failed)?;
     let program = laid.path().join("harness");
     toolchain::ARM.around(&main, laid.sources(), &program, &[])?;
+    let (main, moving) = (laid.path().join("harness_moved.c"), laid.path().join("moved"));
+    let text = harness::marked_by(&compiled.explicit, step, params, moved::MARKS);
+    std::fs::write(&main, text).map_err(failed)?;
+    moved::build(&main, laid.sources(), &moving)?;
 
     let mut rows = Vec::new();
     for name in FLIGHTS {
@@ -92,12 +104,13 @@ pub fn measure(longest: f64) -> Result<Vec<Row>, String> {
         fly(&scenario, &mut recorded);
         let input = laid.path().join("input");
         std::fs::write(&input, bytes(&recorded.arguments)).map_err(failed)?;
-        let input = File::open(&input).map_err(failed)?;
-        let (counts, written) = fed(&program, laid.path(), &[], input.into())?;
+        let open = || File::open(&input).map_err(failed);
+        let (counts, written) = fed(&program, laid.path(), &[], open()?.into())?;
         if !same(&recorded.results, &written) {
             return Err(format!("{name}: the C does not compute what the Rust does"));
         }
-        rows.push(Row { flight: name, counts });
+        let moved = moved::count(&moving, open()?.into())?;
+        rows.push(Row { flight: name, counts, moved });
     }
     Ok(rows)
 }
@@ -117,16 +130,17 @@ fn same(words: &[u64], written: &[u8]) -> bool {
 /// The rows for a terminal.
 pub fn table(rows: &[Row]) -> String {
     let mut text = format!(
-        "{:<12} {:>8} {:>8} {:>8} {:>8} {:>8}  instructions of a control period (A9, gcc -O2)\n",
-        "flight", "periods", "mean", "median", "99 %", "most"
+        "{:<12} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}  instructions of a control period (A9, gcc -O2)\n",
+        "flight", "periods", "mean", "median", "99 %", "most", "bytes"
     );
     for row in rows {
         let (name, count) = (row.flight, row.counts.len());
         let (median, high, most) = (row.at(0.5), row.at(0.99), row.at(1.0));
         let _ = writeln!(
             text,
-            "{name:<12} {count:>8} {:>8.0} {median:>8} {high:>8} {most:>8}",
-            row.mean()
+            "{name:<12} {count:>8} {:>8.0} {median:>8} {high:>8} {most:>8} {:>8.0}",
+            row.mean(),
+            row.mean_moved()
         );
     }
     let most = rows.iter().map(|row| row.at(1.0)).max().unwrap_or_default() as f64;
@@ -146,6 +160,7 @@ pub fn json(rows: &[Row]) -> Value {
             json!({
                 "flight": row.flight, "periods": row.counts.len(), "mean": row.mean().round(),
                 "median": row.at(0.5), "99 %": row.at(0.99), "most": row.at(1.0),
+                "bytes copied or cleared": row.mean_moved().round(),
             })
         })
         .collect();

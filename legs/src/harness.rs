@@ -20,7 +20,12 @@ pub fn program(module: &Module, entry: FunctionId, params: u32) -> String {
 /// Returns the program with calls of `bench_begin` and `bench_end` around each call, so that the instructions between
 /// them can be counted.
 pub fn marked(module: &Module, entry: FunctionId, params: u32) -> String {
-    around(module, entry, params, MARKS, "        bench_begin();\n", "        bench_end();\n")
+    marked_by(module, entry, params, MARKS)
+}
+
+/// Returns the program of [`marked`] with other definitions of `bench_begin` and `bench_end`.
+pub fn marked_by(module: &Module, entry: FunctionId, params: u32, marks: &str) -> String {
+    around(module, entry, params, marks, "        bench_begin();\n", "        bench_end();\n")
 }
 
 /// Functions that mark the calls for a counter. They have external linkage and are never inlined, so that they have

@@ -2,7 +2,7 @@
 //!
 //! The only sensor known here is the gyroscope; a correction is any measurement of one angle.
 
-use crate::covariance::{corrected, diagonal, grown};
+use crate::covariance::{corrected, grown};
 use crate::geometry::Orientation;
 use bessemer::prelude::*;
 
@@ -46,7 +46,7 @@ impl AttitudeFilter {
             growth[n] = turn * turn;
             growth[n + 3] = wander;
         }
-        self.covariance = grown(&self.covariance, &advance, &diagonal(&growth));
+        self.covariance = grown(&self.covariance, &advance, &growth);
     }
 
     /// Corrects the state by a measurement of the angle that `row` selects: `innovation` is measured minus estimated.

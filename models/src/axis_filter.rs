@@ -35,7 +35,7 @@ impl AxisFilter {
         let push = noise * period;
         let wander = drift * drift * period;
         let slip = 0.5 * push * period;
-        let growth = diagonal(&Vector3::new(slip * slip, push * push, wander));
+        let growth = Vector3::new(slip * slip, push * push, wander);
         self.covariance = grown(&self.covariance, &advance, &growth);
     }
 

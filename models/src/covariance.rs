@@ -15,14 +15,18 @@ pub fn diagonal<const N: usize>(values: &SVector<f64, N>) -> SMatrix<f64, N, N> 
     all
 }
 
-/// Propagates a covariance by the Jacobian `advance` and adds the process noise `growth`.
+/// Propagates a covariance by the Jacobian `advance` and adds the variances `growth` of the process noise.
 #[function]
 pub fn grown<const N: usize>(
     covariance: &SMatrix<f64, N, N>,
     advance: &SMatrix<f64, N, N>,
-    growth: &SMatrix<f64, N, N>,
+    growth: &SVector<f64, N>,
 ) -> SMatrix<f64, N, N> {
-    symmetric(&(advance * covariance * advance.transpose() + growth))
+    let mut moved = advance * covariance * advance.transpose();
+    for n in 0..N {
+        moved[(n, n)] += growth[n];
+    }
+    symmetric(&moved)
 }
 
 /// Corrects a covariance by a scalar measurement, in Joseph's form: (I − K h) P (I − K h)ᵀ + K r Kᵀ. `row` is h, `gain`

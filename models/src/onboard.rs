@@ -166,16 +166,17 @@ impl Onboard {
         let degraded = self.estimator.gyro_lost();
         let reference = self.reference.step(&settings.course, orders, &estimate, landed, degraded);
         self.update_gain(settings, &reference);
-        let mut command = Command::still();
-        if reference.motors {
+        let command = if reference.motors {
             let friction = settings.injection.friction;
             let velocity = &estimate.velocity;
             let whole = compensation(&settings.airframe, &orientation, velocity, friction);
             let parameters = &settings.parameters;
             let target = &reference.target;
             let share = whole * self.gain;
-            command = self.controller.step(parameters, &estimate, target, &share);
-        }
+            self.controller.step(parameters, &estimate, target, &share)
+        } else {
+            Command::still()
+        };
         self.commanded = settings.parameters.push(&command);
 
         let mut outputs = Outputs {

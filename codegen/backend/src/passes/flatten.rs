@@ -199,6 +199,7 @@ impl<'m> Lowering<'m> {
             behind.assume(&b, op == LogicOp::And);
             return (logic(a, b), behind);
         }
+        let a = self.undecided(a);
         let start = ExprKind::Literal(u64::from(op == LogicOp::Or));
         let start = Expr { kind: start, ty: Type::BOOL, span };
         let name = logic(start.clone(), asked);

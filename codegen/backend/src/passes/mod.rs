@@ -12,11 +12,13 @@
 //! * **F4** the bounds of a loop do not change while it runs, unless its body ends it.
 //!
 //! The meaning is preserved: equal results, and the same fault first. There is no optimisation: no constant folding,
-//! no reordering, no renaming of the author's locals; and explicit code is unchanged.
+//! no reordering, no renaming of the author's locals; and explicit code is unchanged. Part of a condition that no
+//! execution decides otherwise is left out ([`decided`]).
 
 mod analysis;
 mod callees;
 mod checked;
+mod decided;
 mod declare;
 mod explicit;
 mod faults;

@@ -2,8 +2,14 @@
 
 use bessemer_ir::{Argument, Expr, ExprKind, Function, Mode, Role, Routine, UnaryOp};
 
-use super::places::{elementwise, outer, reduces};
+use super::places::{elementwise, outer, reduces, weight};
 use crate::late::{self, Early};
+
+/// Largest number of elements for which an element-wise routine is written out in C.
+const ELEMENTS: usize = 4;
+
+/// Largest weight of an element that takes the place of its name.
+const SHORT: usize = 3;
 
 /// Position of an expression in a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,7 +22,7 @@ pub(crate) enum Position {
     Nested,
     /// A part of a constructor.
     Part,
-    /// A matrix operand of a routine that works element by element.
+    /// A matrix operand of a routine that works element by element. It may be built there from a few short elements.
     Elementwise,
     /// The value that a splat repeats.
     Repeated,
@@ -77,6 +83,7 @@ pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bo
         ExprKind::Const(_) | ExprKind::Load(_) => true,
         ExprKind::Literal(_) => position != Reference,
         _ if expr.ty.is_word() => matches!(position, Decision | Nested | Part),
+        ExprKind::Matrix(items) if position == Elementwise => is_short(items),
         ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Matrix(_) => position == Part,
         ExprKind::Splat(_) => matches!(position, Part | Repeated),
         ExprKind::Routine(Routine::Transpose, _) => matches!(position, Elementwise | Factor),
@@ -85,6 +92,12 @@ pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bo
         }
         _ => false,
     }
+}
+
+/// Returns true if a matrix of these elements is no longer than the elements where an element-wise routine, which is
+/// written out, reads each of them once.
+fn is_short(items: &[Expr]) -> bool {
+    items.len() <= ELEMENTS && items.iter().all(|item| weight(item) <= SHORT)
 }
 
 /// Returns the operand of a negated condition, or any other condition itself.

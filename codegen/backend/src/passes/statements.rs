@@ -139,7 +139,10 @@ impl Lowering<'_> {
             }
             StmtKind::Return(None) | StmtKind::Break | StmtKind::Continue => self.emit(kind, span),
         }
-        if let Some(first) = self.out.get_mut(start)
+        // A check that is left out goes, and its comments with it.
+        let stays = |stmt: &Stmt| !matches!(stmt.kind, StmtKind::Check { fault: Fault::LeftOut, .. });
+        let first = self.out.iter().skip(start).position(stays).unwrap_or(0);
+        if let Some(first) = self.out.get_mut(start + first)
             && !comments.is_empty()
         {
             first.comments = comments;
@@ -177,7 +180,7 @@ impl Lowering<'_> {
             value = self.keep(value, Purpose::Part("next"));
         }
         // It does nothing, and compilers warn of it.
-        if is_own_in_c(&value, &place) {
+        if is_own_in_c(&value, &place) || self.has(&place, &value) {
             return;
         }
         self.facts.assign(&place, known);
@@ -228,6 +231,7 @@ impl Lowering<'_> {
             return self.within(condition, then, span);
         }
         let condition = self.word(condition);
+        let condition = self.undecided(condition);
         let other = self.facts.assuming(&condition, false);
         self.facts.assume(&condition, true);
         let then = self.block(then);
@@ -254,10 +258,14 @@ impl Lowering<'_> {
                 all = Expr { span, ..Expr::logic(LogicOp::And, all, part) };
             } else {
                 ends.push((known.assuming(&all, false), false));
-                open.push((std::mem::replace(&mut all, part), outer));
+                let within = std::mem::replace(&mut self.out, outer);
+                let facts = std::mem::replace(&mut self.facts, known);
+                let before = self.undecided(std::mem::replace(&mut all, part));
+                self.facts = facts;
+                open.push((before, std::mem::replace(&mut self.out, within)));
             }
         }
-        let condition = all;
+        let condition = self.undecided(all);
         ends.push((self.facts.assuming(&condition, false), false));
         self.facts.assume(&condition, true);
         let then = self.block(then);

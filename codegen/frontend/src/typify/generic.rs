@@ -148,10 +148,10 @@ impl Context<'_> {
             return refused(site, refusals::EMPTY_LIST);
         }
         let name = format!("List{n}{}", self.word(&element));
-        let shown = (format!("List<{}, {n}>", self.show(&element)), ": elements, and how many");
+        let shown = (format!("List<{}, {n}>", self.show(&element)), ": elements and their number");
         let items = Type::Array { element: Box::new(element), len: n };
         let fields = vec![
-            field(words::LENGTH, "How many elements there are.", Type::USIZE),
+            field(words::LENGTH, "Number of elements.", Type::USIZE),
             field(words::ITEMS, "The elements; those behind the length mean nothing.", items),
         ];
         self.own_struct(name, shown, fields, Form::Sequence, site)
@@ -168,12 +168,12 @@ impl Context<'_> {
         }
         let (kind, meaning, flag, [missing, there]) = match or {
             None => ("Option", ": a value, or none", words::IS_SOME, ["None", "Some"]),
-            Some(_) => ("Result", ": a value, or why there is none", words::IS_OK, ["Err", "Ok"]),
+            Some(_) => ("Result", ": a value, or the reason why there is none", words::IS_OK, ["Err", "Ok"]),
         };
         let shown = (format!("{kind}<{shown}>"), meaning);
-        let mut fields = vec![field(flag, "Whether there is a value.", Type::BOOL)];
+        let mut fields = vec![field(flag, "True if there is a value.", Type::BOOL)];
         let value = held(&mut fields, words::VALUE, "The value, if there is one.", value);
-        let error = error.and_then(|ty| held(&mut fields, words::ERROR, "Why there is none.", ty));
+        let error = error.and_then(|ty| held(&mut fields, words::ERROR, "Reason why there is no value.", ty));
         let form = Form::Choice(vec![error, value]);
         let id = self.own_struct(format!("{kind}{name}"), shown, fields, form, site)?;
         // Values may be unequal though nothing tells them apart.

@@ -41,11 +41,7 @@ double cart_step(cart_t *self, double target, double measured)
     self->estimate[0] += OBSERVER[0] * innovation;
     self->estimate[1] += OBSERVER[1] * innovation;
     const double wanted = cascade_f64_2_step(&self->smooth, SMOOTH, target);
-    const double vector_value[2] = {wanted, 0.0};
-    const double vector_difference[2] = {
-        vector_value[0] - self->estimate[0],
-        vector_value[1] - self->estimate[1]
-    };
+    const double vector_difference[2] = {wanted - self->estimate[0], 0.0 - self->estimate[1]};
     const double vector[1] = {GAIN[0] * vector_difference[0] + GAIN[1] * vector_difference[1]};
     const double force = vector[0];
     const double estimate_product[2] = {

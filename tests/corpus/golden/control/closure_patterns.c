@@ -108,7 +108,7 @@ typedef struct {
 
 /** `Option<(usize, Track)>`: a value, or none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_some;
     /** The value, if there is one. */
     pair_usize_closure_patterns_track_t value;

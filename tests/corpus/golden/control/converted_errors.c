@@ -118,13 +118,13 @@ typedef struct {
     uint8_t start;
 } frame_fault_t;
 
-/** `Result<u16, FrameFault>`: a value, or why there is none. */
+/** `Result<u16, FrameFault>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     uint16_t value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     frame_fault_t error;
 } result_u16_frame_fault_t;
 
@@ -143,13 +143,13 @@ typedef struct {
     frame_fault_t link;
 } drive_fault_t;
 
-/** `Result<f32, DriveFault>`: a value, or why there is none. */
+/** `Result<f32, DriveFault>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     float value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     drive_fault_t error;
 } result_f32_drive_fault_t;
 
@@ -158,12 +158,12 @@ typedef struct {
     uint16_t value;
 } fault_code_t;
 
-/** `Result<f32, FaultCode>`: a value, or why there is none. */
+/** `Result<f32, FaultCode>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     float value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     fault_code_t error;
 } result_f32_fault_code_t;

@@ -6,10 +6,9 @@ uint8_t match_parts_action(const match_parts_key_t *key, bool shift)
 {
     if (!key->held.is_some) {
         return 0U;
-    } else if (key->code >= 65U && key->code <= 90U && (key->held.is_some && key->held.value <= 9U)
-            && !shift) {
+    } else if (key->code >= 65U && key->code <= 90U && key->held.value <= 9U && !shift) {
         return 1U;
-    } else if (key->held.is_some && shift && key->held.value > 100U) {
+    } else if (shift && key->held.value > 100U) {
         return key->code;
     } else {
         return 2U;

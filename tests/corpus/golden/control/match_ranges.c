@@ -6,11 +6,11 @@ uint8_t match_ranges_power(int16_t temperature, bool boosted)
 {
     if (temperature <= -20) {
         return 0U;
-    } else if (temperature >= -19 && temperature <= 60) {
+    } else if (temperature <= 60) {
         return 100U;
-    } else if (temperature >= 61 && temperature <= 80 && boosted) {
+    } else if (temperature <= 80 && boosted) {
         return 90U;
-    } else if (temperature >= 61 && temperature <= 80) {
+    } else if (temperature <= 80) {
         return 70U;
     } else if (temperature < 100) {
         return 20U;

@@ -52,12 +52,12 @@ typedef enum {
     FAILURE_SHORT = 1
 } failure_t;
 
-/** `Result<f64, Failure>`: a value, or why there is none. */
+/** `Result<f64, Failure>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     double value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     failure_t error;
 } result_f64_failure_t;

@@ -94,12 +94,12 @@ typedef enum {
     TRIED_FOLDS_TROUBLE_BEYOND = 1
 } tried_folds_trouble_t;
 
-/** `Result<u16, Trouble>`: a value, or why there is none. */
+/** `Result<u16, Trouble>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     uint16_t value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     tried_folds_trouble_t error;
 } result_u16_tried_folds_trouble_t;

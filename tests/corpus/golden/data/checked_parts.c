@@ -180,23 +180,23 @@ typedef struct {
     uint64_t beyond;
 } checked_parts_missing_t;
 
-/** `Result<f64, Missing>`: a value, or why there is none. */
+/** `Result<f64, Missing>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     double value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     checked_parts_missing_t error;
 } result_f64_checked_parts_missing_t;
 
-/** `Result<u16, Missing>`: a value, or why there is none. */
+/** `Result<u16, Missing>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     uint16_t value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     checked_parts_missing_t error;
 } result_u16_checked_parts_missing_t;
 
@@ -208,9 +208,9 @@ typedef struct {
     double time;
 } checked_parts_leg_t;
 
-/** `List<Leg, 4>`: elements, and how many. */
+/** `List<Leg, 4>`: elements and their number. */
 typedef struct {
-    /** How many elements there are. */
+    /** Number of elements. */
     uint64_t length;
     /** The elements; those behind the length mean nothing. */
     checked_parts_leg_t items[4];

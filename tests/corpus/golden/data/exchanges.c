@@ -52,7 +52,7 @@ typedef struct {
 
 /** `Option<Limits>`: a value, or none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_some;
     /** The value, if there is one. */
     limits_t value;

@@ -53,9 +53,9 @@ typedef struct {
     } as;
 } axis_wish_t;
 
-/** `List<AxisWish, 3>`: elements, and how many. */
+/** `List<AxisWish, 3>`: elements and their number. */
 typedef struct {
-    /** How many elements there are. */
+    /** Number of elements. */
     uint64_t length;
     /** The elements; those behind the length mean nothing. */
     axis_wish_t items[3];
@@ -69,7 +69,7 @@ typedef struct {
 
 /** `Option<RoutePoint>`: a value, or none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_some;
     /** The value, if there is one. */
     route_point_t value;

@@ -116,7 +116,7 @@ typedef enum {
 
 /** `Option<Kind>`: a value, or none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_some;
     /** The value, if there is one. */
     numbered_enums_kind_t value;

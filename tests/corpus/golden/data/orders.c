@@ -101,7 +101,7 @@ typedef struct {
 
 /** `Option<Task>`: a value, or none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_some;
     /** The value, if there is one. */
     orders_task_t value;

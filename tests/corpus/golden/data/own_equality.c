@@ -95,7 +95,7 @@ typedef enum {
 
 /** `Option<Lever>`: a value, or none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_some;
     /** The value, if there is one. */
     lever_t value;

@@ -117,23 +117,23 @@ typedef enum {
     FRAME_ERROR_CHECKSUM = 1
 } frame_error_t;
 
-/** `Result<f32, FrameError>`: a value, or why there is none. */
+/** `Result<f32, FrameError>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     float value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     frame_error_t error;
 } result_f32_frame_error_t;
 
-/** `Result<u16, FrameError>`: a value, or why there is none. */
+/** `Result<u16, FrameError>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     uint16_t value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     frame_error_t error;
 } result_u16_frame_error_t;
 
@@ -152,12 +152,12 @@ typedef struct {
     uint8_t damaged;
 } link_error_t;
 
-/** `Result<f32, LinkError>`: a value, or why there is none. */
+/** `Result<f32, LinkError>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     float value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     link_error_t error;
 } result_f32_link_error_t;

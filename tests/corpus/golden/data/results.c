@@ -33,12 +33,12 @@ typedef enum {
     REFUSED_CHECKSUM = 1
 } refused_t;
 
-/** `Result<u16, Refused>`: a value, or why there is none. */
+/** `Result<u16, Refused>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     uint16_t value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     refused_t error;
 } result_u16_refused_t;

@@ -144,9 +144,9 @@ typedef struct {
     uint8_t outputs;
 } switching_t;
 
-/** `List<Switching, 5>`: elements, and how many. */
+/** `List<Switching, 5>`: elements and their number. */
 typedef struct {
-    /** How many elements there are. */
+    /** Number of elements. */
     uint64_t length;
     /** The elements; those behind the length mean nothing. */
     switching_t items[5];

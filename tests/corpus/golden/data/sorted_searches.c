@@ -106,23 +106,16 @@ static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_
     result->error = from;
 }
 
-bessemer_status_t sorted_searches_nearest(const float sorted[5], float x,
-    uint64_t *BESSEMER_RESTRICT result)
+uint64_t sorted_searches_nearest(const float sorted[5], float x)
 {
     result_usize_usize_t at;
     sorted_searches_binary_search_by_in_nearest(sorted, UINT64_C(5), x, &at);
     if (at.is_ok) {
-        *result = at.value;
-        return BESSEMER_STATUS_OK;
-    } else if (!at.is_ok && at.error == UINT64_C(0)) {
-        *result = UINT64_C(0);
-        return BESSEMER_STATUS_OK;
+        return at.value;
+    } else if (at.error == UINT64_C(0)) {
+        return UINT64_C(0);
     } else {
-        if (at.error < UINT64_C(1)) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
-        *result = at.error - UINT64_C(1);
-        return BESSEMER_STATUS_OK;
+        return at.error - UINT64_C(1);
     }
 }
 
@@ -175,9 +168,9 @@ typedef struct {
     double value;
 } sorted_searches_point_t;
 
-/** `List<Point, 5>`: elements, and how many. */
+/** `List<Point, 5>`: elements and their number. */
 typedef struct {
-    /** How many elements there are. */
+    /** Number of elements. */
     uint64_t length;
     /** The elements; those behind the length mean nothing. */
     sorted_searches_point_t items[5];

@@ -9,7 +9,7 @@ void transposed_checked(int16_t reading, result_i16_transposed_broken_t *result)
         result->value = 0;
         result->error.tag = BROKEN_TAG_BELOW;
         result->error.below = reading;
-    } else if (reading >= 0 && reading <= 999) {
+    } else if (reading <= 999) {
         *result = (result_i16_transposed_broken_t){.is_ok = true, .value = reading};
     } else {
         static const result_i16_transposed_broken_t checked = {
@@ -124,30 +124,30 @@ typedef struct {
     int16_t below;
 } transposed_broken_t;
 
-/** `Result<i16, Broken>`: a value, or why there is none. */
+/** `Result<i16, Broken>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     int16_t value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     transposed_broken_t error;
 } result_i16_transposed_broken_t;
 
 /** `Option<Result<i16, Broken>>`: a value, or none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_some;
     /** The value, if there is one. */
     result_i16_transposed_broken_t value;
 } option_result_i16_transposed_broken_t;
 
-/** `Result<Option<i16>, Broken>`: a value, or why there is none. */
+/** `Result<Option<i16>, Broken>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     option_i16_t value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     transposed_broken_t error;
 } result_option_i16_transposed_broken_t;

@@ -193,7 +193,7 @@ typedef struct {
 
 /** `Option<Job>`: a value, or none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_some;
     /** The value, if there is one. */
     turned_orders_job_t value;

@@ -248,11 +248,10 @@ bessemer_status_t values_that_borrow_outcome(const uint8_t packet[8],
     if (!option.is_some) {
         *result = 1U;
         return BESSEMER_STATUS_OK;
-    } else if (option.is_some && !option.value.is_ok) {
+    } else if (!option.value.is_ok) {
         *result = 1000U + (uint32_t)option.value.error;
         return BESSEMER_STATUS_OK;
-    } else if (option.is_some && (option.value.is_ok
-            && option.value.value.tag == VALUES_THAT_BORROW_PACKET_TAG_SET)) {
+    } else if (option.value.value.tag == VALUES_THAT_BORROW_PACKET_TAG_SET) {
         *result = 2000U + (uint32_t)option.value.value.as.set;
         return BESSEMER_STATUS_OK;
     } else {
@@ -600,19 +599,19 @@ typedef struct {
     } as;
 } values_that_borrow_packet_t;
 
-/** `Result<Packet, u8>`: a value, or why there is none. */
+/** `Result<Packet, u8>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     values_that_borrow_packet_t value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     uint8_t error;
 } result_values_that_borrow_packet_u8_t;
 
 /** `Option<Result<Packet, u8>>`: a value, or none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_some;
     /** The value, if there is one. */
     result_values_that_borrow_packet_u8_t value;

@@ -154,12 +154,12 @@ typedef struct {
     uint8_t index;
 } own_names_missing_t;
 
-/** `Result<u8, Missing>`: a value, or why there is none. */
+/** `Result<u8, Missing>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     uint8_t value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     own_names_missing_t error;
 } result_u8_own_names_missing_t;

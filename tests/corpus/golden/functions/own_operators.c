@@ -189,12 +189,12 @@ typedef enum {
     OWN_OPERATORS_PHASE_C = 2
 } own_operators_phase_t;
 
-/** `Result<Phase, Unknown>`: a value, or why there is none. */
+/** `Result<Phase, Unknown>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     own_operators_phase_t value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     unknown_t error;
 } result_own_operators_phase_unknown_t;

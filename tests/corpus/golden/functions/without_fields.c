@@ -111,12 +111,12 @@ typedef enum {
     WITHOUT_FIELDS_TROUBLE_LOW = 1
 } without_fields_trouble_t;
 
-/** `Result<f64, Trouble>`: a value, or why there is none. */
+/** `Result<f64, Trouble>`: a value, or the reason why there is none. */
 typedef struct {
-    /** Whether there is a value. */
+    /** True if there is a value. */
     bool is_ok;
     /** The value, if there is one. */
     double value;
-    /** Why there is none. */
+    /** Reason why there is no value. */
     without_fields_trouble_t error;
 } result_f64_without_fields_trouble_t;

@@ -23,10 +23,9 @@ void climb_predict(climb_t *self, double acceleration, double period)
         jacobian[0 + 2 * 0] * self->state[0] + jacobian[0 + 2 * 1] * self->state[1],
         jacobian[1 + 2 * 0] * self->state[0] + jacobian[1 + 2 * 1] * self->state[1]
     };
-    const double state_vector[2] = {0.5 * period, 1.0};
     const double state_product_2 = acceleration * period;
-    self->state[0] = state_product[0] + state_vector[0] * state_product_2;
-    self->state[1] = state_product[1] + state_vector[1] * state_product_2;
+    self->state[0] = state_product[0] + 0.5 * period * state_product_2;
+    self->state[1] = state_product[1] + 1.0 * state_product_2;
     symmetric_f64_2_congruence(&self->covariance, jacobian);
     const double values[2] = {0.0, 0.04 * period};
     symmetric_f64_2_add_diagonal(&self->covariance, values);

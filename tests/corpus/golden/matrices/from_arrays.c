@@ -4,10 +4,9 @@
 
 void from_arrays_acceleration(const float raw[3], float scale, float result[BESSEMER_RESTRICT 3])
 {
-    const float result_vector[3] = {raw[0], raw[1], raw[2]};
-    result[0] = result_vector[0] * scale;
-    result[1] = result_vector[1] * scale;
-    result[2] = result_vector[2] * scale;
+    result[0] = raw[0] * scale;
+    result[1] = raw[1] * scale;
+    result[2] = raw[2] * scale;
 }
 
 void from_arrays_corner(double x, double y, double result[2])

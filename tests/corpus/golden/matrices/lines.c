@@ -192,7 +192,7 @@ void lines_other_names(double a[BESSEMER_RESTRICT 16], const double b[4],
     if (b[1] > 0.0) {
         option_f64_t third_choice;
         const option_f64_t third_option = {.is_some = true, .value = b[1]};
-        if (third_option.is_some && third_option.value > 1.0) {
+        if (third_option.value > 1.0) {
             third_choice.is_some = true;
             third_choice.value = third_option.value;
         } else {

@@ -5,12 +5,11 @@
 void named_views_advance(double state[BESSEMER_RESTRICT 6], const double acceleration[3],
     double period)
 {
-    const double way_vector[3] = {state[3], state[4], state[5]};
     const double way_product = 0.5 * period * period;
     const double way[3] = {
-        way_vector[0] * period + acceleration[0] * way_product,
-        way_vector[1] * period + acceleration[1] * way_product,
-        way_vector[2] * period + acceleration[2] * way_product
+        state[3] * period + acceleration[0] * way_product,
+        state[4] * period + acceleration[1] * way_product,
+        state[5] * period + acceleration[2] * way_product
     };
     double position[3] = {state[0], state[1], state[2]};
     position[0] += way[0];
@@ -88,7 +87,7 @@ bessemer_status_t named_views_up_to(double m[BESSEMER_RESTRICT 16], uint64_t col
     }
     option_f64_t first_choice;
     const option_f64_t first_option = {.is_some = true, .value = m[4U * column]};
-    if (first_option.is_some && first_option.value <= most) {
+    if (first_option.value <= most) {
         first_choice.is_some = true;
         first_choice.value = first_option.value;
     } else {

@@ -5,9 +5,7 @@
 void swizzles_in_the_plane(const double from[3], const double to[3],
     pair_f64_f64_t *BESSEMER_RESTRICT result)
 {
-    const double way_vector[2] = {to[0], to[1]};
-    const double way_vector_2[2] = {from[0], from[1]};
-    const double way[2] = {way_vector[0] - way_vector_2[0], way_vector[1] - way_vector_2[1]};
+    const double way[2] = {to[0] - from[0], to[1] - from[1]};
     const double vector[2] = {way[1], way[0]};
     result->first = sqrt(way[0] * way[0] + way[1] * way[1]);
     result->second = vector[0];
@@ -25,11 +23,9 @@ void swizzles_of_a_sum(const double a[4], const double b[4], double result[BESSE
 {
     const double vector[4] = {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
     const double vector_2[3] = {a[0], a[1], a[2]};
-    const double result_vector[3] = {vector[2], vector[2], vector[0]};
-    const double result_vector_2[3] = {vector_2[2], vector_2[1], vector_2[0]};
-    result[0] = result_vector[0] - result_vector_2[0];
-    result[1] = result_vector[1] - result_vector_2[1];
-    result[2] = result_vector[2] - result_vector_2[2];
+    result[0] = vector[2] - vector_2[2];
+    result[1] = vector[2] - vector_2[1];
+    result[2] = vector[0] - vector_2[0];
 }
 
 void swizzles_of_others(const int32_t a[2], const double m[9],

@@ -23,10 +23,9 @@ void unit_quaternions_error(const unit_quaternion_f64_t *wanted, const unit_quat
     } else {
         sign = 2.0;
     }
-    const double result_vector[3] = {error.i, error.j, error.k};
-    result[0] = result_vector[0] * sign;
-    result[1] = result_vector[1] * sign;
-    result[2] = result_vector[2] * sign;
+    result[0] = error.i * sign;
+    result[1] = error.j * sign;
+    result[2] = error.k * sign;
 }
 
 void unit_quaternions_turned(const unit_quaternion_f32_t *attitude, const float rates[3],

@@ -7,6 +7,7 @@ use bessemer_ir::kernel::{DOTS_WRITTEN_OUT, WRITTEN_OUT};
 use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Place, Routine, Scalar, Type};
 
 use super::super::helpers::Helper;
+use super::super::literal;
 use super::super::matrices::Layout;
 use super::super::tree::{Expr, Init, Lines, StmtKind};
 use super::Lower;
@@ -46,6 +47,8 @@ impl Stored {
 /// Nested element-wise routines as one expression per element.
 pub(super) enum Fused {
     Matrix(Stored),
+    /// The elements of a few rows, by columns.
+    Elements(Vec<Expr>, u32),
     /// Product of a column and a row.
     Outer(Stored, Stored),
     /// A scalar, equal for all elements.
@@ -282,6 +285,10 @@ impl Lower<'_> {
             {
                 self.fuse(*routine, operands, place)
             }
+            ExprKind::Matrix(items) => {
+                let (_, rows, _) = shape(&operand.ty);
+                Fused::Elements(items.iter().map(|item| self.word(item)).collect(), rows)
+            }
             ExprKind::Splat(item) => Fused::Scalar(self.once("factor", item, place)),
             _ => Fused::Matrix(self.stored(operand)),
         }
@@ -305,6 +312,10 @@ impl Lower<'_> {
             (Fused::Matrix(stored), At::Fixed(row, column)) => {
                 stored.at(number(*row), number(*column))
             }
+            (Fused::Elements(items, rows), At::Fixed(row, column)) => {
+                items[(row + rows * column) as usize].clone()
+            }
+            (Fused::Elements(..), _) => unreachable!("few elements are written out"),
             (Fused::Matrix(stored), At::Counted(index)) => {
                 stored.matrix.clone().at((*index).clone())
             }
@@ -334,7 +345,11 @@ impl Lower<'_> {
                 self.helper(*helper, vec![left, right])
             }
             (Fused::Binary(op, left, right), _) => {
+                let less_nothing = *op == BinaryOp::Sub && is_nothing(right, scalar, at);
                 let left = self.fused_element(left, scalar, at);
+                if less_nothing {
+                    return left;
+                }
                 let right = self.fused_element(right, scalar, at);
                 self.arithmetic(*op, &ty, left, right)
             }
@@ -446,13 +461,23 @@ impl Fused {
     pub(super) fn is_flat(&self) -> bool {
         match self {
             Fused::Matrix(stored) => stored.is_flat(),
-            Fused::Outer(..) => false,
+            Fused::Outer(..) | Fused::Elements(..) => false,
             Fused::Scalar(_) => true,
             Fused::Binary(_, left, right) | Fused::Chosen(_, left, right) => {
                 left.is_flat() && right.is_flat()
             }
             Fused::Neg(inner) | Fused::Abs(inner) => inner.is_flat(),
         }
+    }
+}
+
+/// Returns true for an element that is written as +0.0, which subtracted changes no number.
+fn is_nothing(fused: &Fused, scalar: Scalar, at: &At<'_>) -> bool {
+    match (fused, scalar, at) {
+        (Fused::Elements(items, rows), Scalar::Float(float), At::Fixed(row, column)) => {
+            items[(row + rows * column) as usize] == literal::number(float, 0)
+        }
+        _ => false,
     }
 }
 

@@ -1,9 +1,9 @@
-//! Locals that are defined by another number: `let end = at + 2;`, `let middle = count / 2;`.
+//! Locals that are defined by another number: `let end = at + 2;`, `let middle = count / 2;`, `let n = i64::from(x);`.
 //!
 //! Meaning: a definition is a relation `local == value`, which holds until something that it reads is written. So it
 //! shows how the local compares to what it comes from. Integers alone: their operations did not overflow.
 
-use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LocalId, Place};
+use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LocalId, Place, Type};
 
 use super::state::State;
 use bessemer_ir::effects::{mentions, same_place};
@@ -23,6 +23,7 @@ impl State<'_> {
             ExprKind::Intrinsic(Intrinsic::Min | Intrinsic::Max, operands) => {
                 operands.iter().all(|it| matches!(it.kind, ExprKind::Load(_)) || it.is_literal())
             }
+            ExprKind::Cast(x) => matches!(x.kind, ExprKind::Load(_)) && self.is_the_same(x, value),
             _ => false,
         };
         if defines && value.ty.as_int().is_some() && !mentions(value, local) {
@@ -42,12 +43,42 @@ impl State<'_> {
             CompareOp::Lt => self.at_most(a, b, -1, DEPTH),
             CompareOp::Ge => self.at_most(b, a, 0, DEPTH),
             CompareOp::Gt => self.at_most(b, a, -1, DEPTH),
-            CompareOp::Eq | CompareOp::Ne => false,
+            CompareOp::Ne => self.unequal(a, b, DEPTH),
+            CompareOp::Eq => false,
         };
         if holds {
             Rule::Defined.used();
         }
         holds
+    }
+
+    /// Returns true if a conversion keeps the number.
+    fn is_the_same(&self, x: &Expr, converted: &Expr) -> bool {
+        let (from, to) = (x.ty.as_int(), self.all(&converted.ty));
+        from.is_some() && to.is_some_and(|to| self.range(x).within(to))
+    }
+
+    /// Returns true if `a != b` for a number `b`, since what `a` comes from is another.
+    fn unequal(&self, a: &Expr, b: &Expr, depth: u32) -> bool {
+        let (Some(depth), Some(number)) = (depth.checked_sub(1), self.range(b).single()) else {
+            return false;
+        };
+        match &a.kind {
+            ExprKind::Load(_) => {
+                self.relations.definition(a).is_some_and(|a| self.unequal(a, b, depth))
+            }
+            ExprKind::Cast(x) if self.is_the_same(x, a) => {
+                let Some(int) = x.ty.as_int() else { return false };
+                if number < int.min() || int.max() < number {
+                    return true;
+                }
+                let word = ExprKind::Literal(number as u64);
+                let number = Expr { kind: word, ty: x.ty.clone(), span: b.span };
+                let kind = ExprKind::Compare(CompareOp::Ne, x.clone(), Box::new(number));
+                self.proves(&Expr { kind, ty: Type::BOOL, span: b.span })
+            }
+            _ => false,
+        }
     }
 
     /// Returns true if `a <= b + more` by definitions.

@@ -45,6 +45,9 @@ impl State<'_> {
                 all.meet(Interval::one(difference))
             }
             ExprKind::Binary(op, a, b) => self.range(a).binary(*op, self.range(b), all),
+            ExprKind::Cast(x) if let (Some(_), Some(to)) = (x.ty.as_float(), expr.ty.as_int()) => {
+                self.converted(x, to)
+            }
             ExprKind::Cast(x) => self.number(x).filter(|from| from.within(all)).unwrap_or(all),
             ExprKind::Intrinsic(Intrinsic::Variant, args) => {
                 let from = args.first().map_or(all, |x| self.brought(x));
@@ -110,7 +113,7 @@ impl State<'_> {
     }
 
     /// Returns the value of a constant float expression; never a NaN.
-    fn float(&self, expr: &Expr) -> Option<f64> {
+    pub(super) fn float(&self, expr: &Expr) -> Option<f64> {
         let float = expr.ty.as_float()?;
         let value = match &expr.kind {
             ExprKind::Literal(word) => float_of(float, *word),

@@ -9,13 +9,14 @@
 //!   `k` times that was added.
 //! * **A word with assigned values only**: [`given`](super::given).
 //! * **A loop that its body ends** has no counter, and its bounds change: an [`invariant`](super::invariant) is
-//!   computed instead.
+//!   computed instead. Behind it holds what each `break` leaves.
 
 use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, Stmt, StmtKind};
 
 use super::domain::Interval;
 use super::known::Known;
 use super::state::{self, Key, State};
+use super::walk::left;
 use bessemer_ir::effects::{lent, overlap, whole, writes};
 use bessemer_ir::used::Rule;
 
@@ -61,8 +62,11 @@ impl Loop<'_> {
     /// Changes `state` to the state at the head of a pass, and returns the state after the loop.
     pub(crate) fn enter<'m>(&self, state: &mut State<'m>) -> State<'m> {
         if self.ended {
-            let behind = self.behind(state);
-            *state = self.invariant(state);
+            let head = self.invariant(state);
+            let behind = left(self.body, head.clone());
+            Rule::Left.told(behind.is_some());
+            let behind = behind.unwrap_or_else(|| self.behind(state));
+            *state = head;
             Rule::Invariant.told(!state.known.is_empty());
             return behind;
         }

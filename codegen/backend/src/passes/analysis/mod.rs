@@ -27,6 +27,7 @@ mod assume;
 mod defined;
 mod domain;
 mod evaluate;
+mod floats;
 mod given;
 mod glance;
 mod invariant;

@@ -15,16 +15,23 @@ use bessemer_ir::effects::{calls, lent, whole, writes};
 /// Returns the state at the beginning of the next pass, after the end of the body or a `continue`; none if no path
 /// leads there.
 pub(super) fn again<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
-    let mut walk = Walk { continued: Vec::new(), held: None, writes: None };
+    let mut walk = Walk::default();
     let end = walk.block(body, head);
     joined(walk.continued.into_iter().chain(end))
+}
+
+/// Returns the state behind a loop that only its body ends: that of each `break`; none if no path leads to one.
+pub(super) fn left<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
+    let mut walk = Walk::default();
+    walk.block(body, head);
+    joined(walk.broken)
 }
 
 /// Returns the interval of each local, from its declaration and whole assignments; none if it is unknown or the local
 /// has no value.
 pub(crate) fn held(module: &Module, function: &Function) -> Vec<Option<Interval>> {
     let held = Some(vec![Held::Nothing; function.locals.len()]);
-    let mut walk = Walk { continued: Vec::new(), held, writes: None };
+    let mut walk = Walk { held, ..Walk::default() };
     walk.block(&function.body, State::new(module));
     let shown = |held| match held {
         Held::Within(interval) => Some(interval),
@@ -36,7 +43,7 @@ pub(crate) fn held(module: &Module, function: &Function) -> Vec<Option<Interval>
 /// Returns each place that the statements of a body write, with the facts about its new value. A place that a call
 /// borrows has none.
 pub(super) fn written_in(body: &Block, head: State) -> Vec<(Place, Parts)> {
-    let mut walk = Walk { continued: Vec::new(), held: None, writes: Some(Vec::new()) };
+    let mut walk = Walk { writes: Some(Vec::new()), ..Walk::default() };
     walk.block(body, head);
     walk.writes.unwrap_or_default()
 }
@@ -49,9 +56,12 @@ enum Held {
     Anything,
 }
 
+#[derive(Default)]
 struct Walk<'m> {
     /// States at each `continue`.
     continued: Vec<State<'m>>,
+    /// States at each `break`.
+    broken: Vec<State<'m>>,
     /// Values assigned to each local, if requested: then the bodies of loops are analysed, too.
     held: Option<Vec<Held>>,
     /// Written places with the facts about each value, if requested; then the bodies of loops are analysed, too.
@@ -171,16 +181,20 @@ impl<'m> Walk<'m> {
                 }
                 self.lent(&[whole(*variable)]);
                 let behind = inner.enter(&mut state);
-                let outer = std::mem::take(&mut self.continued);
+                let outer = (std::mem::take(&mut self.continued), std::mem::take(&mut self.broken));
                 self.block(body, state);
-                self.continued = outer;
+                (self.continued, self.broken) = outer;
                 return Some(behind);
             }
             StmtKind::Continue => {
                 self.continued.push(state);
                 return None;
             }
-            StmtKind::Return(_) | StmtKind::Break => return None,
+            StmtKind::Break => {
+                self.broken.push(state);
+                return None;
+            }
+            StmtKind::Return(_) => return None,
         }
         Some(state)
     }

@@ -18,6 +18,7 @@
 //! Must not know: which checks could have been removed, `analysis`, `faults`.
 
 mod facts;
+mod floats;
 mod knowledge;
 mod linear;
 mod operations;

@@ -38,7 +38,9 @@ impl Values<'_> {
                 Some(self.float(-f64::from_bits(bits)))
             }
             (op, value, _) => {
-                self.opaque(Origin::Unary(op, expr.ty.clone()), vec![value], &expr.ty)
+                let limits = self.limits_of_unary(op, &value);
+                let made = self.opaque(Origin::Unary(op, expr.ty.clone()), vec![value], &expr.ty);
+                self.limited(made, limits)
             }
         }
     }
@@ -115,7 +117,17 @@ impl Values<'_> {
     ) -> Option<Value> {
         let Some(int) = ty.as_int() else {
             let Value::Float(_, Some(bits)) = value else {
-                return self.opaque(Origin::Cast(ty.clone()), vec![value], ty);
+                let limits = match &value {
+                    // The symbol is the same elsewhere: nothing that holds here alone counts.
+                    Value::Number(form) if x.ty.as_int().is_some() => {
+                        let bounds = self.range(&Point::default(), form);
+                        Some(Self::limits_of_number(bounds, ty))
+                    }
+                    Value::Float(..) => Some(self.limits_of_float(&value, ty)),
+                    _ => None,
+                };
+                let made = self.opaque(Origin::Cast(ty.clone()), vec![value], ty);
+                return self.limited(made, limits);
             };
             return Some(match ty.as_float()? {
                 Float::F32 => self.float(f64::from(f64::from_bits(bits) as f32)),
@@ -147,7 +159,9 @@ impl Values<'_> {
                 Some(Value::Number(Linear::symbol(self.made(origin, vec![value], (0, 1)))))
             }
             (Value::Float(..), _) => {
+                let bounds = self.limits(&value).numbers(int);
                 let symbol = self.made(Origin::Cast(ty.clone()), vec![value], bounds_of(int));
+                point.knowledge.refine(symbol, bounds, &self.all);
                 Some(Value::Number(Linear::symbol(symbol)))
             }
         }
@@ -231,8 +245,13 @@ impl Values<'_> {
                 }));
             }
             _ => {
+                let limits = match &values {
+                    (Some(a), Some(b)) => self.limits_of_binary(op, [a, b], &expr.ty),
+                    _ => None,
+                };
                 let of = [values.0, values.1].into_iter().flatten().collect();
-                return self.opaque(Origin::Binary(op, expr.ty.clone()), of, &expr.ty);
+                let made = self.opaque(Origin::Binary(op, expr.ty.clone()), of, &expr.ty);
+                return self.limited(made, limits);
             }
         };
         let (Some(Value::Number(x)), Some(Value::Number(y))) = values else { return None };
@@ -376,7 +395,11 @@ impl Values<'_> {
         let all = match &expr.ty {
             Type::Scalar(Scalar::Int(int)) => bounds_of(*int),
             Type::Enum(id) => (0, self.variants(*id) - 1),
-            _ => return self.opaque(Origin::Intrinsic(which, expr.ty.clone()), values, &expr.ty),
+            _ => {
+                let limits = self.limits_of_intrinsic(which, &values);
+                let made = self.opaque(Origin::Intrinsic(which, expr.ty.clone()), values, &expr.ty);
+                return self.limited(made, limits);
+            }
         };
         if forms.len() != values.len() || forms.is_empty() {
             return self.opaque(Origin::Intrinsic(which, expr.ty.clone()), values, &expr.ty);

@@ -12,6 +12,7 @@ use bessemer_ir::{
     LocalId, LogicOp, Module, Place, Scalar, Span, Step, Type, UnaryOp,
 };
 
+use super::floats::Limits;
 use super::knowledge::{Bounds, Formula, Knowledge};
 use super::linear::{FURTHEST, Linear, Symbol};
 use super::persistent::Map;
@@ -101,6 +102,8 @@ pub(super) struct Values<'m> {
     /// Bounds of each symbol by its type.
     pub(super) all: Vec<Bounds>,
     origins: HashMap<(Origin, Vec<Value>), Symbol>,
+    /// Limits of floats that are known.
+    pub(super) limits: HashMap<Symbol, Limits>,
     pub(super) versions: u32,
     /// Operations that may fault.
     pub(super) open: Vec<Site>,
@@ -119,7 +122,8 @@ impl<'m> Values<'m> {
         shown: &'m [Returns],
     ) -> Values<'m> {
         let (all, origins, open) = (Vec::new(), HashMap::new(), Vec::new());
-        Values { module, function, shown, all, origins, versions: 0, open, quiet: false }
+        let (limits, versions, quiet) = (HashMap::new(), 0, false);
+        Values { module, function, shown, all, origins, limits, versions, open, quiet }
     }
 
     /// Returns the summary of a function; an empty one if it does not precede this one.

@@ -8,7 +8,7 @@
 //! * For other changed locals, bounds are guessed: first the initial ones, then joined with those at the end of a
 //!   pass. A bound that is not preserved is dropped, until a pass that begins within all of them ends within them.
 //!   After a counted loop, the local is within its initial bounds, its bounds at the end of a pass, or where the loop
-//!   is left.
+//!   is left. After a loop that only its body ends, each place has its value at one of the `break`s.
 
 use std::rc::Rc;
 
@@ -358,8 +358,8 @@ impl<'m> Walk<'m> {
         if *ended {
             let guesses = self.guesses(&before, &written, &[]);
             let (head, _) = self.guessed(&empty, guesses, body);
-            self.pass(body, head);
-            return empty;
+            let (_, left) = self.pass(body, head);
+            return self.joined(left).unwrap_or(empty);
         }
         let all = self.values.unknown(&from.ty);
         let (Some(Value::Number(counter)), Some(last)) =
