@@ -45,7 +45,7 @@ void gate_step(gate_t *BESSEMER_RESTRICT self, const siphash_key_t *key, const p
         packet_none(result);
         return;
     }
-    const uint64_t size = (uint64_t)whole - GATE_SEAL_BYTES;
+    const uint32_t size = (uint32_t)(whole - GATE_SEAL_BYTES);
     const uint64_t sum = packet_word(packet, size + GATE_COUNTER_BYTES);
     if (siphash_sip_hash(key, packet->bytes, PACKET_CHECKSUM_START,
             PACKET_HEADER_BYTES + size + GATE_COUNTER_BYTES) != sum) {

@@ -165,7 +165,7 @@ functions! {
         condition_that_writes, returned_behind_a_condition_that_writes,
         returned_as_the_firmware_gave_it, called_and_never_returned,
         divisor_of_a_narrower_type, left_beyond_a_bound, clamped_float_beyond,
-        smaller_float_without_a_largest, divisor_from_a_float;
+        smaller_float_without_a_largest, divisor_from_a_float, moved_on_in_a_loop;
     proved:
         index_of_a_number, number_above, bound_that_moves_by_one, counted_to_a_bound, counted_down,
         counted_to_a_length, index_of_a_variant, count_within_behind_a_loop, count_in_a_loop,
@@ -173,5 +173,6 @@ functions! {
         last_arm_of_an_enum, given_in_a_loop, given_in_fields, last_of_a_slice,
         returned_index, returned_in_fields, returned_by_what_it_calls,
         returned_always_some, divisor_of_another_type, left_within_a_bound, clamped_float,
-        share_of_a_table, length_below_another;
+        share_of_a_table, length_below_another,
+        moved_back_in_a_loop;
 }

@@ -100,17 +100,17 @@ float chain_links_folded(const float samples[4], const float coefficients[4])
 void chain_links_places(const uint16_t readings[6],
     pair_option_u16_option_usize_t *BESSEMER_RESTRICT result)
 {
-    uint64_t left = UINT64_C(1);
+    uint32_t left = 1U;
     result->first.is_some = false;
     result->first.value = 0U;
     for (uint32_t i = 0U; i < 6U; i++) {
         if (readings[i] < 4096U) {
-            if (left == UINT64_C(0)) {
+            if (left == 0U) {
                 result->first.is_some = true;
                 result->first.value = readings[i];
                 break;
             }
-            left -= UINT64_C(1);
+            left -= 1U;
         }
     }
     result->second.is_some = false;

@@ -26,7 +26,7 @@ bessemer_status_t chunks_passed(const uint8_t bytes[10], uint64_t used, uint32_t
             return BESSEMER_STATUS_OVERFLOW;
         }
         const uint32_t value_length = (uint32_t)min_u64(UINT64_C(4),
-            used_2 - u64_from_u32(block * 4U));
+            u64_from_u32(used_2 - block * 4U));
         for (uint32_t i = block * 4U; i < block * 4U + value_length; i++) {
             if (i >= 10U) {
                 return BESSEMER_STATUS_INDEX;

@@ -15,9 +15,6 @@ bessemer_status_t early_return_search(const uint16_t table[8], uint16_t wanted,
             return BESSEMER_STATUS_BOUND;
         }
         const uint32_t middle = (low + high) / 2U;
-        if (middle >= 8U) {
-            return BESSEMER_STATUS_INDEX;
-        }
         if (table[middle] == wanted) {
             *result = middle;
             return BESSEMER_STATUS_OK;

@@ -11,7 +11,7 @@ uint64_t one_after_another_low(const one_after_another_cell_t own[4],
         if (i < 4U) {
             cell = own[i];
         } else {
-            cell = added[(uint64_t)i - UINT64_C(4)];
+            cell = added[i - 4U];
         }
         if (cell.valid && cell.voltage < limit) {
             count += 1U;
@@ -30,7 +30,7 @@ uint8_t one_after_another_checksum(const uint8_t header[3], const list6_u8_t *pa
             if (i < 3U) {
                 byte = header[i];
             } else {
-                byte = payload->items[(uint64_t)i - UINT64_C(3)];
+                byte = payload->items[i - 3U];
             }
             sum = (uint8_t)((((uint32_t)sum << 1U) | (sum >> 7U)) ^ byte);
         }
@@ -48,7 +48,7 @@ void one_after_another_first_zero(const int16_t before[3], const int16_t now[2],
         if (i < 3U) {
             x = before[i];
         } else {
-            x = now[(uint64_t)i - UINT64_C(3)];
+            x = now[i - 3U];
         }
         if (x == 0) {
             result->is_some = true;

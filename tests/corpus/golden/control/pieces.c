@@ -21,7 +21,7 @@ bessemer_status_t pieces_butterflies(float data[8])
                 return BESSEMER_STATUS_INDEX;
             }
             {
-                const uint32_t end = (uint32_t)min_u64((uint64_t)value_size - (uint64_t)half,
+                const uint32_t end = (uint32_t)min_u64(u64_from_u32(value_size - half),
                     (uint64_t)half);
                 for (uint32_t j = 0U; j < end; j++) {
                     const uint64_t data_index = i * (uint64_t)value_size + j;

@@ -112,17 +112,16 @@ void slice_edits_framed(const list12_u8_t *frame, option_pair_u16_bool_t *BESSEM
     }
     uint16_t sum = 0U;
     {
-        const uint64_t end = min_u64(frame->length, UINT64_C(12)) - UINT64_C(2) - UINT64_C(2)
-            + UINT64_C(2);
-        for (uint64_t i = UINT64_C(2); i < end; i++) {
+        const uint32_t end = (uint32_t)(min_u64(frame->length, UINT64_C(12)) - 2U - 2U + 2U);
+        for (uint32_t i = 2U; i < end; i++) {
             sum = (uint16_t)((uint32_t)sum + (uint32_t)(uint16_t)frame->items[i]);
         }
     }
     const uint8_t result_bytes[2] = {frame->items[0], frame->items[1]};
     const uint16_t result_part = (uint16_t)(((uint32_t)result_bytes[0] << 8U) | result_bytes[1]);
     const uint8_t result_bytes_2[2] = {
-        frame->items[min_u64(frame->length, UINT64_C(12)) - UINT64_C(2) - UINT64_C(2) + UINT64_C(2)],
-        frame->items[min_u64(frame->length, UINT64_C(12)) - UINT64_C(2) - UINT64_C(2) + UINT64_C(2) + UINT64_C(1)]
+        frame->items[min_u64(frame->length, UINT64_C(12)) - 2U - 2U + 2U],
+        frame->items[min_u64(frame->length, UINT64_C(12)) - 2U - 2U + 2U + 1U]
     };
     result->is_some = true;
     result->value.first = result_part;

@@ -80,7 +80,7 @@ void closures_over_matrices_faded(const double a[9], double result[BESSEMER_REST
         for (uint32_t row = 0U; row < 3U; row++) {
             if (row > column) {
                 result[row + 3U * column] = a[row + 3U * column]
-                    / (f64_from_u64((uint64_t)row - (uint64_t)column) + 1.0);
+                    / (f64_from_u32(row - column) + 1.0);
             } else {
                 result[row + 3U * column] = a[row + 3U * column];
             }

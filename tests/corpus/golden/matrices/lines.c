@@ -6,11 +6,11 @@ void lines_read(const double m[12], const double w[4],
     tuple4_f64_f64_f64_option_usize_t *BESSEMER_RESTRICT result)
 {
     double far_ = 0.0;
-    uint64_t left = UINT64_C(1);
+    uint32_t left = 1U;
     for (uint32_t i = 0U; i < 4U; i++) {
         const double c[3] = {m[3U * i], m[1U + 3U * i], m[2U + 3U * i]};
-        if (left > UINT64_C(0)) {
-            left -= UINT64_C(1);
+        if (left > 0U) {
+            left -= 1U;
         } else {
             far_ = max_f64(far_, sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]) * w[i]);
         }
@@ -32,11 +32,11 @@ void lines_read(const double m[12], const double w[4],
         zipped += matrix_statistics_sum_f64_3_1(c) * other.value;
     }
     double both = -0.0;
-    uint64_t left_2 = UINT64_C(1);
+    uint32_t left_2 = 1U;
     for (uint32_t row = 0U; row < 3U; row++) {
         const double row_2[4] = {m[row], m[row + 3U], m[row + 3U * 2U], m[row + 3U * 3U]};
-        if (left_2 > UINT64_C(0)) {
-            left_2 -= UINT64_C(1);
+        if (left_2 > 0U) {
+            left_2 -= 1U;
         } else {
             both += row_2[0];
         }

@@ -36,7 +36,8 @@ impl Lower<'_> {
                 let (a, b) = (self.range(left)?, self.range(right)?);
                 match op {
                     BinaryOp::Add => (a.0 + b.0, a.1 + b.1),
-                    BinaryOp::Sub => (a.0 - b.1, a.1 - b.0),
+                    // No difference of sizes is below 0: that would be a fault.
+                    BinaryOp::Sub => ((a.0 - b.1).max(0), a.1 - b.0),
                     BinaryOp::Mul => (a.0 * b.0, a.1 * b.1),
                     BinaryOp::Div if b.0 > 0 => (a.0 / b.1, a.1 / b.0),
                     _ => return None,
@@ -44,7 +45,7 @@ impl Lower<'_> {
             }
             _ => return None,
         };
-        (range.0 >= 0 && range.1 <= LIMIT).then_some(range)
+        (0 <= range.0 && range.0 <= range.1 && range.1 <= LIMIT).then_some(range)
     }
 
     /// Returns the result of a comparison that the types decide, since compilers warn about such comparisons.

@@ -1,9 +1,11 @@
 //! Words to which a loop only assigns values in an interval, whatever the word held before. So at the head of each
-//! pass and after the loop, the word is in that interval or has its initial value.
+//! pass and after the loop, the word is in that interval or has its initial value. Or every pass that begins with the
+//! word in an interval ends with it there: `if i > 0 { i -= 1; }`.
 //!
 //! Must not know: what else a loop preserves ([`loops`](super::loops)).
 
-use bessemer_ir::Place;
+use bessemer_ir::visit::Walk as _;
+use bessemer_ir::{Place, StmtKind};
 
 use super::domain::Interval;
 use super::known::Known;
@@ -21,20 +23,69 @@ impl Loop<'_> {
         let written = |place: &Place| self.written.iter().any(|it| overlap(place, it));
         let candidates = before.known.iter().filter_map(|(key, known)| match known {
             Known::Within(interval) if !counts(key) && written(&place_of(key)) => {
-                Some((key, *interval))
+                Some((key.clone(), *interval))
             }
             _ => None,
         });
-        let candidates: Vec<_> = candidates.collect();
-        if candidates.is_empty() {
+        let words: Vec<(Key, Interval)> = candidates.collect();
+        if words.is_empty() {
             return Vec::new();
         }
+        let mut found = self.hulls(before, &words, &[]);
+        let has_loops = self.body.any_stmt(|stmt| matches!(stmt.kind, StmtKind::For { .. }));
+        if !has_loops {
+            for (key, interval) in self.kept(before, words) {
+                match found.iter_mut().find(|(other, _)| *other == key) {
+                    Some((_, known)) => *known = known.meet(interval),
+                    None => found.push((key, interval)),
+                }
+            }
+        }
+        let known = |(key, interval)| {
+            Rule::Given.used();
+            (key, Known::Within(interval))
+        };
+        found.into_iter().map(known).collect()
+    }
+
+    /// Returns intervals that every pass keeps which begins within all of them: the initial ones, without the bounds
+    /// that a pass moves.
+    fn kept(&self, before: &State, words: Vec<(Key, Interval)>) -> Vec<(Key, Interval)> {
+        let mut assumed = words.clone();
+        loop {
+            let found = self.hulls(before, &words, &assumed);
+            let known = assumed.len();
+            assumed.retain(|(key, _)| found.iter().any(|(other, _)| other == key));
+            let mut moved = assumed.len() < known;
+            for (key, interval) in &mut assumed {
+                let Some((_, hull)) = found.iter().find(|(other, _)| other == key) else { continue };
+                let (low, high) = (hull.low < interval.low, hull.high > interval.high);
+                moved |= low || high;
+                interval.low = if low { i128::MIN } else { interval.low };
+                interval.high = if high { i128::MAX } else { interval.high };
+            }
+            if !moved {
+                return assumed;
+            }
+        }
+    }
+
+    /// Returns the interval of each word's initial value and of what a pass assigns to it, if that is known; `assumed`
+    /// words are in their intervals where the pass begins.
+    fn hulls(
+        &self,
+        before: &State,
+        words: &[(Key, Interval)],
+        assumed: &[(Key, Interval)],
+    ) -> Vec<(Key, Interval)> {
         let mut head = before.clone();
         self.head(&mut head);
+        let known = |(key, interval): &(Key, Interval)| (key.clone(), Known::Within(*interval));
+        head.known.extend(assumed.iter().map(known));
         let writes = written_in(self.body, head);
-        let hull = |(word, start): (&Key, Interval)| {
+        let hull = |(word, start): &(Key, Interval)| {
             let at = place_of(word);
-            let mut all = start;
+            let mut all = *start;
             for (place, parts) in writes.iter().filter(|(place, _)| overlap(place, &at)) {
                 let inside = word.1.strip_prefix(&key(place)?.1[..])?;
                 match parts.iter().find(|(at, _)| at == inside)? {
@@ -42,9 +93,8 @@ impl Loop<'_> {
                     (_, Known::Float(_)) => return None,
                 }
             }
-            Rule::Given.used();
-            Some((word.clone(), Known::Within(all)))
+            Some((word.clone(), all))
         };
-        candidates.into_iter().filter_map(hull).collect()
+        words.iter().filter_map(hull).collect()
     }
 }
