@@ -404,8 +404,7 @@ impl<'m> Lowering<'m> {
 
     fn new_local(&mut self, name: &str, value: &Expr) -> Option<LocalId> {
         let local = LocalId(u32::try_from(self.function.locals.len()).ok()?);
-        let name = self.names.fresh(name);
-        let (ty, span) = (value.ty.clone(), value.span);
+        let (name, ty, span) = (name.to_owned(), value.ty.clone(), value.span);
         self.function.locals.push(Local { name, ty, mode: Mode::Value, span });
         Some(local)
     }

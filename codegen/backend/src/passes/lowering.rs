@@ -5,7 +5,6 @@
 use bessemer_ir::{Expr, Function, Module, Place, Span, Stmt};
 
 use super::analysis::{Results, State};
-use super::names::Names;
 use super::positions::Callee;
 use super::remaining::{Doubted, Remaining};
 
@@ -20,7 +19,6 @@ pub(super) struct Lowering<'m> {
     pub(super) out: Vec<Stmt>,
     /// Destination of the statement, as the first part of names.
     pub(super) base: String,
-    pub(super) names: Names,
     /// True if an enum that may be invalid is normalised where it is read.
     pub(super) brings: bool,
     /// Operations whose proof is doubted.

@@ -1,31 +1,11 @@
 //! Names for values that the passes hold in locals, from their kinds and purposes.
-
-use std::collections::HashSet;
+//!
+//! Two locals may have the same name. The C numbers one only where both are visible.
 
 use bessemer_ir::{
     Argument, BinaryOp, Expr, ExprKind, Function, Intrinsic, LogicOp, Module, Place, Routine, Step,
     Type, UnaryOp,
 };
-
-/// Names in use in a function.
-pub(crate) struct Names(HashSet<String>);
-
-impl Names {
-    pub(crate) fn of(function: &Function) -> Names {
-        Names(function.locals.iter().map(|local| local.name.clone()).collect())
-    }
-
-    /// Returns the first free name of `wanted`, `wanted_2`, `wanted_3`, ….
-    pub(crate) fn fresh(&mut self, wanted: &str) -> String {
-        let mut name = wanted.to_string();
-        let mut count = 1;
-        while !self.0.insert(name.clone()) {
-            count += 1;
-            name = format!("{wanted}_{count}");
-        }
-        name
-    }
-}
 
 /// The purpose of a value.
 #[derive(Clone, Copy, Debug)]

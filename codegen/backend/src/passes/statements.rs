@@ -14,7 +14,7 @@ use super::analysis::{Loop, Results, State};
 use super::checked;
 use super::flatten::when;
 use super::lowering::Lowering;
-use super::names::{self, Names, Purpose};
+use super::names::{self, Purpose};
 use super::places::{disturbs, erased, moves_itself, weight};
 use super::positions::{Callee, Position};
 use super::remaining::{Doubted, Remaining};
@@ -72,7 +72,6 @@ fn lowered(
 ) -> Explicit {
     let needed = if doubted.is_empty() { Vec::new() } else { checked::needed(module, &function) };
     let body = std::mem::take(&mut function.body);
-    let names = Names::of(&function);
     let own = function.locals.len();
     let facts = State::with_results(module, results);
     let (out, base, remaining, pending) = (Vec::new(), String::new(), Vec::new(), Vec::new());
@@ -83,7 +82,6 @@ fn lowered(
         facts,
         out,
         base,
-        names,
         brings,
         doubted,
         pending,

@@ -89,11 +89,11 @@ void converted_errors_total(const uint8_t one[3], const uint8_t other[3], float 
     result_f32_drive_fault_t outcome_2;
     converted_errors_current(other, limit, &outcome_2);
     if (!outcome_2.is_ok) {
-        fault_code_t result_error_2;
-        fault_code_from_drive_fault(&outcome_2.error, &result_error_2);
+        fault_code_t result_error;
+        fault_code_from_drive_fault(&outcome_2.error, &result_error);
         result->is_ok = false;
         result->value = 0.0F;
-        result->error = result_error_2;
+        result->error = result_error;
         return;
     }
     result->is_ok = true;

@@ -42,11 +42,11 @@ bessemer_status_t held_iterators_made_before(const double samples[4], uint64_t n
                 if (UINT64_C(0) >= smaller - product_2) {
                     return BESSEMER_STATUS_INDEX;
                 }
-                const uint64_t samples_index_2 = i * n;
-                if (samples_index_2 >= UINT64_C(4)) {
+                const uint64_t samples_index = i * n;
+                if (samples_index >= UINT64_C(4)) {
                     return BESSEMER_STATUS_INDEX;
                 }
-                sum_value += samples[samples_index_2];
+                sum_value += samples[samples_index];
             }
         }
     }

@@ -82,8 +82,8 @@ float numbered_gathered(bin_t first[BESSEMER_RESTRICT 2], bin_t second[BESSEMER_
             continue;
         }
         second[i].parts[1] += x;
-        const float sum_take_2 = bin_take(&second[i]);
-        sum += sum_take_2;
+        const float sum_take = bin_take(&second[i]);
+        sum += sum_take;
     }
     return sum;
 }

@@ -45,17 +45,17 @@ bool own_equality_is_new(const bearing_t *now, const bearing_t *before)
 
 bool own_equality_same_way(lever_t one, lever_t other)
 {
-    bool result_2 = true;
+    bool result = true;
     if (!lever_eq(one, other)) {
         const lever_t result_other = LEVER_NEUTRAL;
-        bool result = false;
+        bool result_2 = false;
         if (lever_eq(one, result_other)) {
             const lever_t result_other_2 = LEVER_BACK;
-            result = !lever_eq(other, result_other_2);
+            result_2 = !lever_eq(other, result_other_2);
         }
-        result_2 = result;
+        result = result_2;
     }
-    return result_2;
+    return result;
 }
 
 bool own_equality_same_heading(const heading_t *one, const heading_t *other)

@@ -380,11 +380,11 @@ bessemer_status_t values_that_borrow_above(const double values[], uint64_t value
         if (values[values_index] > limit) {
             break;
         }
-        const slice_f64_t values_left_next_2 = {
+        const slice_f64_t values_left_next = {
             .from = values_left.from,
             .length = values_left.length - UINT64_C(1)
         };
-        values_left = values_left_next_2;
+        values_left = values_left_next;
     }
     result->from = values_left.from;
     result->length = values_left.length;
