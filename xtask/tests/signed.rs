@@ -38,7 +38,8 @@ fn declared(line: &str) -> Option<Declared<'_>> {
         !word.is_empty() && word.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
     };
     let name = words.pop()?;
-    let is_type = !words.is_empty() && !matches!(words[0], "return" | "goto" | "typedef" | "extern");
+    let is_type =
+        !words.is_empty() && !matches!(words[0], "return" | "goto" | "typedef" | "extern");
     if !is_type || !words.iter().all(is_name) || !is_name(&name) {
         return None;
     }

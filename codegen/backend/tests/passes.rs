@@ -58,7 +58,18 @@ macro_rules! cases {
     )*};
 }
 
-cases!(aggregates, arithmetic, below, clamps, decided, indices, loops, order, put_back, short_circuit);
+cases!(
+    aggregates,
+    arithmetic,
+    below,
+    clamps,
+    decided,
+    indices,
+    loops,
+    order,
+    put_back,
+    short_circuit
+);
 
 #[test]
 fn explicit_code_comes_out_as_it_went_in() {

@@ -44,8 +44,7 @@ impl Lowering<'_> {
             Type::Scalar(Scalar::Bool) if word == 0 => own.negated(),
             Type::Scalar(Scalar::Bool) => own,
             _ => {
-                let kind =
-                    ExprKind::Compare(CompareOp::Eq, Box::new(own), Box::new(value.clone()));
+                let kind = ExprKind::Compare(CompareOp::Eq, Box::new(own), Box::new(value.clone()));
                 Expr { kind, ty: Type::BOOL, span: value.span }
             }
         };

@@ -94,8 +94,8 @@ pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bo
     }
 }
 
-/// Returns true if a matrix of these elements is no longer than the elements where an element-wise routine, which is
-/// written out, reads each of them once.
+/// Returns true if elements are few and short. An element-wise routine of so small a matrix is written out in C, and
+/// reads each of them once.
 fn is_short(items: &[Expr]) -> bool {
     items.len() <= ELEMENTS && items.iter().all(|item| weight(item) <= SHORT)
 }

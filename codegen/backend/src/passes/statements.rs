@@ -138,7 +138,8 @@ impl Lowering<'_> {
             StmtKind::Return(None) | StmtKind::Break | StmtKind::Continue => self.emit(kind, span),
         }
         // A check that is left out goes, and its comments with it.
-        let stays = |stmt: &Stmt| !matches!(stmt.kind, StmtKind::Check { fault: Fault::LeftOut, .. });
+        let stays =
+            |stmt: &Stmt| !matches!(stmt.kind, StmtKind::Check { fault: Fault::LeftOut, .. });
         let first = self.out.iter().skip(start).position(stays).unwrap_or(0);
         if let Some(first) = self.out.get_mut(start + first)
             && !comments.is_empty()

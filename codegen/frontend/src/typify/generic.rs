@@ -168,12 +168,18 @@ impl Context<'_> {
         }
         let (kind, meaning, flag, [missing, there]) = match or {
             None => ("Option", ": a value, or none", words::IS_SOME, ["None", "Some"]),
-            Some(_) => ("Result", ": a value, or the reason why there is none", words::IS_OK, ["Err", "Ok"]),
+            Some(_) => (
+                "Result",
+                ": a value, or the reason why there is none",
+                words::IS_OK,
+                ["Err", "Ok"],
+            ),
         };
         let shown = (format!("{kind}<{shown}>"), meaning);
         let mut fields = vec![field(flag, "True if there is a value.", Type::BOOL)];
         let value = held(&mut fields, words::VALUE, "The value, if there is one.", value);
-        let error = error.and_then(|ty| held(&mut fields, words::ERROR, "Reason why there is no value.", ty));
+        let error = error
+            .and_then(|ty| held(&mut fields, words::ERROR, "Reason why there is no value.", ty));
         let form = Form::Choice(vec![error, value]);
         let id = self.own_struct(format!("{kind}{name}"), shown, fields, form, site)?;
         // Values may be unequal though nothing tells them apart.

@@ -49,12 +49,14 @@ impl State<'_> {
     /// NaN 0.
     pub(super) fn converted(&self, x: &Expr, to: Int) -> Interval {
         let all = self.bounds(x);
-        // Both conversions saturate, and that of a bound is exact enough: no bound is within 1 of an `i128`'s ends.
+        // The conversion saturates, and so does the one of a bound.
         let whole = |bound: f64| (bound as i128).clamp(to.min(), to.max());
         let (low, high) = (whole(all.low), whole(all.high));
         let range = Interval::new(low, high);
         let range = if all.nan { range.join(Interval::one(0)) } else { range };
-        Rule::Float.told(range != Interval::of(to));
+        if range != Interval::of(to) {
+            Rule::Float.used();
+        }
         range
     }
 
@@ -75,7 +77,9 @@ impl State<'_> {
                 None if x.ty.as_float().is_some() => self.bounds(x).each(rounded),
                 None => ANY,
             },
-            ExprKind::Binary(BinaryOp::Add | BinaryOp::Mul, by, x) if self.float(by).is_some() && self.float(x).is_none() => {
+            ExprKind::Binary(BinaryOp::Add | BinaryOp::Mul, by, x)
+                if self.float(by).is_some() && self.float(x).is_none() =>
+            {
                 let kind = match expr.kind {
                     ExprKind::Binary(op, ..) => ExprKind::Binary(op, x.clone(), by.clone()),
                     _ => return ANY,

@@ -58,7 +58,9 @@ impl Loop<'_> {
             assumed.retain(|(key, _)| found.iter().any(|(other, _)| other == key));
             let mut moved = assumed.len() < known;
             for (key, interval) in &mut assumed {
-                let Some((_, hull)) = found.iter().find(|(other, _)| other == key) else { continue };
+                let Some((_, hull)) = found.iter().find(|(other, _)| other == key) else {
+                    continue;
+                };
                 let (low, high) = (hull.low < interval.low, hull.high > interval.high);
                 moved |= low || high;
                 interval.low = if low { i128::MIN } else { interval.low };
@@ -70,8 +72,8 @@ impl Loop<'_> {
         }
     }
 
-    /// Returns the interval of each word's initial value and of what a pass assigns to it, if that is known; `assumed`
-    /// words are in their intervals where the pass begins.
+    /// Returns the interval of each word's initial value and of the values that a pass assigns to it. Words with an
+    /// unknown value are missing. The `assumed` words are in their intervals where the pass begins.
     fn hulls(
         &self,
         before: &State,

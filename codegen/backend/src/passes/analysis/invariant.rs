@@ -8,7 +8,7 @@ use bessemer_ir::ExprKind;
 use super::known::Known;
 use super::loops::Loop;
 use super::state::State;
-use super::walk::again;
+use super::walk::{again, left};
 use bessemer_ir::effects::whole;
 
 impl Loop<'_> {
@@ -29,6 +29,13 @@ impl Loop<'_> {
         // Each round gives up a bound of a word, a relation, or all that is left.
         while !head.widen(&next(&head)) {}
         next(&head)
+    }
+}
+
+impl Loop<'_> {
+    /// Returns the state behind the loop, from the state at the head of its passes; none if no `break` ends it.
+    pub(super) fn left<'m>(&self, head: State<'m>) -> Option<State<'m>> {
+        left(self.body, head)
     }
 }
 

@@ -16,7 +16,6 @@ use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, St
 use super::domain::Interval;
 use super::known::Known;
 use super::state::{self, Key, State};
-use super::walk::left;
 use bessemer_ir::effects::{lent, overlap, whole, writes};
 use bessemer_ir::used::Rule;
 
@@ -63,8 +62,8 @@ impl Loop<'_> {
     pub(crate) fn enter<'m>(&self, state: &mut State<'m>) -> State<'m> {
         if self.ended {
             let head = self.invariant(state);
-            let behind = left(self.body, head.clone());
-            Rule::Left.told(behind.is_some());
+            let behind = self.left(head.clone());
+            behind.iter().for_each(|_| Rule::Left.used());
             let behind = behind.unwrap_or_else(|| self.behind(state));
             *state = head;
             Rule::Invariant.told(!state.known.is_empty());

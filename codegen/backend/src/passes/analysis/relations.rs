@@ -80,7 +80,7 @@ impl Relations {
 
     /// Returns true if an index is below the length of a slice because of another value. Cases: `i < to <= length`;
     /// `i + 1` with `i < to < length`, or in a loop up to `max(length, 1) - 1`; `i - 1`, already checked, with
-    /// `i < length`; and `length - 1` itself. The length is that of a slice, or the smaller of two.
+    /// `i < length`; and `length - 1` itself. The length is a slice's, or the smaller of two.
     pub(super) fn below_length(&self, condition: &Expr, fails: impl Fn(&Expr) -> bool) -> bool {
         let condition = erased(condition);
         let ExprKind::Compare(CompareOp::Lt, index, length) = &condition.kind else { return false };

@@ -20,7 +20,7 @@ pub(super) fn again<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
     joined(walk.continued.into_iter().chain(end))
 }
 
-/// Returns the state behind a loop that only its body ends: that of each `break`; none if no path leads to one.
+/// Returns the state behind a loop that only its body ends, joined from each `break`; none if no path leads to one.
 pub(super) fn left<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
     let mut walk = Walk::default();
     walk.block(body, head);

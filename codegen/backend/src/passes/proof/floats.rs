@@ -4,56 +4,11 @@
 //! symbol are true wherever it is known, since its value never changes. Sums, products and quotients have limits if
 //! those of their operands are finite, so that a NaN comes of a NaN alone; their ends are rounded as the operation is.
 
-use bessemer_ir::{BinaryOp, Float, Int, Intrinsic, Type, UnaryOp};
+use bessemer_ir::{BinaryOp, Float, Intrinsic, Type, UnaryOp};
 
 use super::knowledge::Bounds;
+use super::limits::{Limits, rounded};
 use super::values::{Value, Values};
-
-/// Limits of a float.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Limits {
-    least: f64,
-    most: f64,
-    or_nan: bool,
-}
-
-impl Limits {
-    const UNKNOWN: Limits = Limits { least: f64::NEG_INFINITY, most: f64::INFINITY, or_nan: true };
-
-    fn of(ends: impl IntoIterator<Item = f64>, or_nan: bool) -> Limits {
-        let nothing = (f64::INFINITY, f64::NEG_INFINITY);
-        let ends = ends.into_iter();
-        let (least, most) = ends.fold(nothing, |(a, b), end| (a.min(end), b.max(end)));
-        Limits { least, most, or_nan }
-    }
-
-    fn ends(self) -> [f64; 2] {
-        [self.least, self.most]
-    }
-
-    fn is_finite(self) -> bool {
-        self.least.is_finite() && self.most.is_finite()
-    }
-
-    fn map(self, f: impl Fn(f64) -> f64) -> Limits {
-        Limits::of(self.ends().map(f), self.or_nan)
-    }
-
-    /// Returns the numbers to which a conversion leads.
-    pub(super) fn numbers(self, int: Int) -> Bounds {
-        let zero = self.or_nan.then_some(0.0);
-        let all = Limits::of(self.ends().into_iter().chain(zero), false);
-        let number = |end: f64| (end.trunc() as i128).max(int.min()).min(int.max());
-        (number(all.least), number(all.most))
-    }
-}
-
-fn rounded(value: f64, ty: &Type) -> f64 {
-    match ty.as_float() {
-        Some(Float::F32) => f64::from(value as f32),
-        _ => value,
-    }
-}
 
 impl Values<'_> {
     pub(super) fn limits(&self, value: &Value) -> Limits {
@@ -67,7 +22,11 @@ impl Values<'_> {
     }
 
     /// Adds limits to a value, if it is an unknown float.
-    pub(super) fn limited(&mut self, value: Option<Value>, limits: Option<Limits>) -> Option<Value> {
+    pub(super) fn limited(
+        &mut self,
+        value: Option<Value>,
+        limits: Option<Limits>,
+    ) -> Option<Value> {
         if let (Some(Value::Float(symbol, None)), Some(limits)) = (&value, limits) {
             self.limits.insert(*symbol, limits);
         }
@@ -78,7 +37,12 @@ impl Values<'_> {
         (op == UnaryOp::Neg).then(|| self.limits(of).map(|end| -end))
     }
 
-    pub(super) fn limits_of_binary(&self, op: BinaryOp, of: [&Value; 2], ty: &Type) -> Option<Limits> {
+    pub(super) fn limits_of_binary(
+        &self,
+        op: BinaryOp,
+        of: [&Value; 2],
+        ty: &Type,
+    ) -> Option<Limits> {
         let [a, b] = of.map(|it| self.limits(it));
         if !(a.is_finite() && b.is_finite()) {
             return None;

@@ -20,6 +20,7 @@
 mod facts;
 mod floats;
 mod knowledge;
+mod limits;
 mod linear;
 mod operations;
 mod persistent;

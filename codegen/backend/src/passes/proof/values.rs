@@ -12,8 +12,8 @@ use bessemer_ir::{
     LocalId, LogicOp, Module, Place, Scalar, Span, Step, Type, UnaryOp,
 };
 
-use super::floats::Limits;
 use super::knowledge::{Bounds, Formula, Knowledge};
+use super::limits::Limits;
 use super::linear::{FURTHEST, Linear, Symbol};
 use super::persistent::Map;
 use super::returns::{Numbers, Returns};

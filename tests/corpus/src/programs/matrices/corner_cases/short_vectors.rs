@@ -30,7 +30,7 @@ pub fn counted(a: &Vector2<i8>, b: i8) -> Vector2<i8> {
     a - Vector2::new(b, 0) + Vector2::new(0, b)
 }
 
-/// Matrices of four elements, and calls that write what is read.
+/// Matrices of four elements, and calls that write one of their elements.
 #[function]
 pub fn grown(sum: &mut f64, a: &Matrix2<f64>) -> Matrix2<f64> {
     a + Matrix2::new(*sum, 0.0, 1.0, next(sum)) - Matrix2::new(*sum, next(sum), *sum, 0.0)
