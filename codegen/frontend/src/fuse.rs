@@ -11,27 +11,25 @@
 //! Must not know: why lowering made a local; the tree; C, which does not order operands (the passes take care of
 //! that).
 
-mod alone;
 mod checks;
 mod decide;
+mod joined;
 mod known;
 mod put;
 
-use std::collections::HashSet;
-
-pub(crate) use alone::{alone, may_go};
 use bessemer_ir::{Block, Function, Local, LocalId, Module};
 use decide::decided;
+pub(crate) use joined::{Before, joined, may_go};
 
-/// Substitutes those temporaries of `made` that are only read and whose removal does not change the program. Removes checks
+/// Substitutes those temporaries for which `made` holds that are only read and whose removal does not change the program. Removes checks
 /// of indices that a use of the index repeats.
 ///
 /// Other locals may get new handles; parameters keep theirs.
 ///
-/// Precondition: the function is valid in `module`; no parameter is in `made`, and no local is an alias of a place.
+/// Precondition: the function is valid in `module`; `made` holds for no parameter, and no local is an alias of a place.
 /// Postcondition: it is valid, and equivalent.
-pub fn fuse(module: &Module, function: &mut Function, made: &HashSet<LocalId>) {
-    let decided = decided(module, &function.locals, made, &function.body);
+pub fn fuse(module: &Module, function: &mut Function, made: &dyn Fn(LocalId) -> bool) {
+    let decided = decided(module, &function.locals, (made, &|_| false), &function.body);
     if decided.is_any() {
         put::put(&mut function.body, &decided, false);
         put::close_ranks(function, &decided.gone);
@@ -42,10 +40,10 @@ pub fn fuse(module: &Module, function: &mut Function, made: &HashSet<LocalId>) {
 pub(crate) fn view(
     module: &Module,
     locals: &[Local],
-    made: &HashSet<LocalId>,
+    made: &dyn Fn(LocalId) -> bool,
     body: &Block,
 ) -> Block {
-    let (decided, mut body) = (decided(module, locals, made, body), body.clone());
+    let (decided, mut body) = (decided(module, locals, (made, &|_| false), body), body.clone());
     if decided.is_any() {
         put::put(&mut body, &decided, true);
     }

@@ -10,14 +10,26 @@ use super::Files;
 /// The one file that may.
 const OWN: &str = "order";
 /// The functions that decide, by their names.
-const NAMES: [&str; 7] =
-    ["fix", "later", "apart", "own_copy", "is_free", "is_settled", "may_follow"];
+const NAMES: [&str; 14] = [
+    "fix",
+    "later",
+    "apart",
+    "own_copy",
+    "is_free",
+    "is_settled",
+    "may_follow",
+    "is_pure",
+    "is_lasting",
+    "is_steady",
+    "is_among",
+    "is_repeatable",
+    "read_later",
+    "copy_written",
+];
 /// The functions that decide, by how their names begin.
 const BEGINNINGS: [&str; 3] = ["settl", "keep", "temporary"];
-/// The sets of locals by which it is decided.
-const SETS: [&str; 4] = ["held", "steady", "changing", "valued"];
 
-/// Returns, for each file but the own one, the lines that call such a function or use such a set. Imports and definitions
+/// Returns, for each file but the own one, the lines that call such a function. Imports and definitions
 /// do not count, but the functions' bodies do.
 pub fn lines(files: &Files) -> Vec<(String, Vec<usize>)> {
     let mut found = Vec::new();
@@ -45,7 +57,7 @@ impl Lines {
         self.0.insert(span.start().line);
     }
 
-    /// Notes what syn leaves as tokens: a name before parentheses, and a set behind a dot.
+    /// Notes what syn leaves as tokens: a name before parentheses.
     fn tokens(&mut self, tokens: TokenStream) {
         let tokens: Vec<TokenTree> = tokens.into_iter().collect();
         for (at, token) in tokens.iter().enumerate() {
@@ -75,15 +87,6 @@ impl<'ast> Visit<'ast> for Lines {
         if let Some(name) = last.map(|it| &it.ident).filter(|it| decides(it) && function(it)) {
             self.note(name.span());
         }
-    }
-
-    fn visit_expr_field(&mut self, it: &'ast syn::ExprField) {
-        if let syn::Member::Named(name) = &it.member
-            && SETS.iter().any(|set| name == set)
-        {
-            self.note(name.span());
-        }
-        visit::visit_expr_field(self, it);
     }
 
     fn visit_macro(&mut self, it: &'ast syn::Macro) {

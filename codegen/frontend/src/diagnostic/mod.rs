@@ -218,10 +218,21 @@ pub fn json(diagnostic: &Diagnostic, sources: &Sources) -> Value {
             .filter(|code| !code.is_empty())
             .map(|code| json!({ "code": code, "explanation": null })),
         "level": diagnostic.level.word(),
-        "spans": Extent::of(diagnostic, sources).map(|extent| extent.json(diagnostic, sources)).into_iter().collect::<Vec<_>>(),
+        "spans": spans(diagnostic, sources),
         "children": children,
         "rendered": render(std::slice::from_ref(diagnostic), sources, false),
     })
+}
+
+/// Returns the marked places: the diagnostic's own, then further ones.
+fn spans(diagnostic: &Diagnostic, sources: &Sources) -> Vec<Value> {
+    let own = Extent::of(diagnostic, sources).map(|extent| extent.json(diagnostic, sources, true));
+    let further = diagnostic.also.iter().filter_map(|place| {
+        let file = if place.file.is_empty() { &diagnostic.file } else { &place.file };
+        let marked = Diagnostic { label: place.label.clone(), ..place.marked(file) };
+        Some(Extent::of(&marked, sources)?.json(&marked, sources, false))
+    });
+    own.into_iter().chain(further).collect()
 }
 
 /// Byte range that a diagnostic marks in its file.
@@ -253,7 +264,7 @@ impl Extent {
         Some(sources.offset(file, line) + byte(&sources.line(file, line)?, column))
     }
 
-    fn json(&self, diagnostic: &Diagnostic, sources: &Sources) -> Value {
+    fn json(&self, diagnostic: &Diagnostic, sources: &Sources, is_primary: bool) -> Value {
         let (line, column) = self.behind;
         let text: Vec<Value> = (diagnostic.line..=line)
             .filter_map(|number| {
@@ -272,7 +283,7 @@ impl Extent {
             "line_end": line,
             "column_start": diagnostic.column,
             "column_end": column,
-            "is_primary": true,
+            "is_primary": is_primary,
             "text": text,
             "label": Some(&diagnostic.label).filter(|label| !label.is_empty()),
             "suggested_replacement": null,
@@ -297,4 +308,53 @@ fn uncoloured(coloured: &str) -> String {
         rest = after.split_once('m').map_or("", |(_, rest)| rest);
     }
     text + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Tools show each place that the terminal shows, in whichever file it is.
+    #[test]
+    fn json_has_each_marked_place() {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join("one.rs"), "fn unit() {}\n").expect("a file");
+        std::fs::write(folder.path().join("two.rs"), "\nfn unit() {}\nfn other() {}\n")
+            .expect("a file");
+        let place = |file: &str, start, end, label: &str| Place {
+            file: file.to_owned(),
+            start,
+            end,
+            label: label.to_owned(),
+        };
+        let diagnostic = Diagnostic {
+            file: "one.rs".to_owned(),
+            line: 1,
+            column: 4,
+            also: vec![
+                place("two.rs", (2, 4), (0, 0), "also here"),
+                place("", (1, 1), (1, 3), "in this file"),
+            ],
+            ..Diagnostic::default()
+        };
+        let json = json(&diagnostic, &Sources::new(folder.path()));
+        let spans = json["spans"].as_array().expect("spans");
+        let shown = |span: &Value| {
+            let number = |key: &str| span[key].as_u64().expect("a number");
+            let file = span["file_name"].as_str().expect("a file").to_owned();
+            let label = span["label"].as_str().unwrap_or_default().to_owned();
+            let bytes = (number("byte_start"), number("byte_end"));
+            (file, number("line_start"), bytes, span["is_primary"] == true, label)
+        };
+        let shown: Vec<_> = spans.iter().map(shown).collect();
+        let expected = [
+            ("one.rs", 1, (3, 9), true, ""),
+            ("two.rs", 2, (4, 10), false, "also here"),
+            ("one.rs", 1, (0, 2), false, "in this file"),
+        ];
+        let expected = expected.map(|(file, line, bytes, primary, label)| {
+            (file.to_owned(), line, bytes, primary, label.to_owned())
+        });
+        assert_eq!(shown, expected);
+    }
 }

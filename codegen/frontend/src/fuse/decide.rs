@@ -4,7 +4,7 @@
 //!
 //! Must not know: why lowering made a local; how a value is substituted.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use bessemer_ir::visit::{Access, Visit, Walk};
 use bessemer_ir::{
@@ -30,16 +30,16 @@ impl Decided {
 }
 
 /// Decides what goes.
-pub(super) fn decided(
-    module: &Module,
-    locals: &[Local],
-    made: &HashSet<LocalId>,
+pub(super) fn decided<'f>(
+    module: &'f Module,
+    locals: &'f [Local],
+    (made, is_copy): (&dyn Fn(LocalId) -> bool, &'f dyn Fn(LocalId) -> bool),
     body: &Block,
 ) -> Decided {
-    let may_go = (0..locals.len() as u32).map(|at| made.contains(&LocalId(at))).collect();
+    let may_go = (0..locals.len() as u32).map(|at| made(LocalId(at))).collect();
     let mut known = Known::new(module, locals, may_go);
     known.block(body);
-    let mut backwards = Backwards::new(module, locals, known);
+    let mut backwards = Backwards { is_copy, ..Backwards::new(module, locals, known) };
     backwards.block(body);
     let Backwards { known, mut gone, repeated, .. } = backwards;
     for (at, gone) in gone.iter_mut().enumerate() {
@@ -63,13 +63,35 @@ struct Reads {
     block: u32,
     begin: Moment,
     end: Moment,
+    site: Site,
+    /// Moment of the call that borrows the temporary.
+    borrowed: Option<Moment>,
+}
+
+/// What is known of the code around a read.
+#[derive(Clone, Copy)]
+struct Site {
     /// True if the read is conditional, or in an operation that may be skipped.
     conditional: bool,
     /// True if the read is in a check, whose condition has no effect and faults by arithmetic alone.
     checked: bool,
     allowed: Allowed,
-    /// Moment of the call that borrows the temporary.
-    borrowed: Option<Moment>,
+}
+
+/// Where nothing is known against a value.
+const ANYWHERE: Site = Site { conditional: false, checked: false, allowed: Allowed::Any };
+
+/// Moments of the next accesses and ends.
+struct Next {
+    /// Moment of the next read of each local.
+    read: Vec<Moment>,
+    written: Vec<Moment>,
+    /// Moment of the next index that may be out of range.
+    misses: Moment,
+    /// Moment of the next other end of the function.
+    ends: Moment,
+    /// Moment of the next write that the caller sees.
+    shows: Moment,
 }
 
 /// Values that may replace a read.
@@ -86,17 +108,11 @@ struct Backwards<'f> {
     module: &'f Module,
     locals: &'f [Local],
     known: Known<'f>,
+    /// True for a local that only names a place, which was read before: the place may be read several times.
+    is_copy: &'f dyn Fn(LocalId) -> bool,
     gone: Vec<bool>,
     reads: Vec<Reads>,
-    /// Moment of the next read of each local.
-    read: Vec<Moment>,
-    written: Vec<Moment>,
-    /// Moment of the next index that may be out of range.
-    misses: Moment,
-    /// Moment of the next other end of the function.
-    ends: Moment,
-    /// Moment of the next write that the caller sees.
-    shows: Moment,
+    next: Next,
     /// Moment and block of the next unconditional use of an index.
     indexed: HashMap<Index, (Moment, u32)>,
     /// True for each check that a use repeats, from the last check to the first.
@@ -106,9 +122,7 @@ struct Backwards<'f> {
     blocks: u32,
     /// Moments of the ends of the surrounding loops, outermost first.
     loops: Vec<Moment>,
-    conditional: bool,
-    checked: bool,
-    allowed: Allowed,
+    site: Site,
 }
 
 /// Effects of evaluating a value.
@@ -140,31 +154,30 @@ impl<'f> Backwards<'f> {
             block: 0,
             begin: 0,
             end: 0,
-            conditional: false,
-            checked: false,
-            allowed: Allowed::Any,
+            site: ANYWHERE,
             borrowed: None,
         };
         Backwards {
             module,
             locals,
             known,
+            is_copy: &|_| false,
             gone: vec![false; count],
             reads: vec![unread; count],
-            read: vec![never; count],
-            written: vec![never; count],
-            misses: never,
-            ends: never,
-            shows: never,
+            next: Next {
+                read: vec![never; count],
+                written: vec![never; count],
+                misses: never,
+                ends: never,
+                shows: never,
+            },
             indexed: HashMap::new(),
             repeated: Vec::new(),
             now: never - 1,
             block: 0,
             blocks: 0,
             loops: Vec::new(),
-            conditional: false,
-            checked: false,
-            allowed: Allowed::Any,
+            site: ANYWHERE,
         }
     }
 
@@ -213,12 +226,12 @@ impl<'f> Backwards<'f> {
                 self.loops.pop();
                 self.writes(*variable);
                 // C evaluates a bound in each pass: a computed bound, and a call in one, stays before the loop.
-                self.allowed = match checks::local(to) {
+                self.site.allowed = match checks::local(to) {
                     Some(_) => Allowed::Names,
                     None => Allowed::Arithmetic,
                 };
                 self.expr(to);
-                self.allowed = Allowed::Any;
+                self.site.allowed = Allowed::Any;
                 self.expr(from);
             }
             StmtKind::Check { condition, .. } => {
@@ -229,7 +242,7 @@ impl<'f> Backwards<'f> {
                 let repeated = checks::index_check(&stmt.kind).and_then(|it| self.repeated(it));
                 self.repeated.push(repeated.is_some());
                 if let Some(used) = repeated {
-                    earlier(&mut self.misses, used);
+                    earlier(&mut self.next.misses, used);
                     return;
                 }
                 self.may_end();
@@ -237,9 +250,9 @@ impl<'f> Backwards<'f> {
                     self.now -= 1;
                     self.indexed.insert(index, (self.now, self.block));
                 }
-                self.checked = true;
+                self.site.checked = true;
                 self.expr(condition);
-                self.checked = false;
+                self.site.checked = false;
             }
             StmtKind::Break | StmtKind::Continue => self.may_end(),
         }
@@ -258,9 +271,9 @@ impl<'f> Backwards<'f> {
             }
             ExprKind::Call(_, arguments) => self.call(arguments),
             ExprKind::Logic(_, left, right) => {
-                let outer = std::mem::replace(&mut self.conditional, true);
+                let outer = std::mem::replace(&mut self.site.conditional, true);
                 self.expr(right);
-                self.conditional = outer;
+                self.site.conditional = outer;
                 self.expr(left);
             }
             ExprKind::Unary(_, x) | ExprKind::Cast(x) | ExprKind::Splat(x) => {
@@ -312,9 +325,9 @@ impl<'f> Backwards<'f> {
     fn repeated(&self, index: Index) -> Option<Moment> {
         let (used, block) = *self.indexed.get(&index)?;
         let repeated = block == self.block
-            && self.ends > used
-            && self.shows > used
-            && self.written[index.0.index()] > used;
+            && self.next.ends > used
+            && self.next.shows > used
+            && self.next.written[index.0.index()] > used;
         repeated.then_some(used)
     }
 
@@ -325,9 +338,9 @@ impl<'f> Backwards<'f> {
             if !doubtful.is_empty() {
                 self.now -= 1;
                 if !self.known.are_checked(&doubtful) {
-                    earlier(&mut self.misses, self.now);
+                    earlier(&mut self.next.misses, self.now);
                 }
-                if !self.conditional {
+                if !self.site.conditional {
                     let used = (self.now, self.block);
                     self.indexed.extend(doubtful.into_iter().flatten().map(|it| (it, used)));
                 }
@@ -361,19 +374,19 @@ impl<'f> Backwards<'f> {
 
     fn may_end(&mut self) {
         self.now -= 1;
-        earlier(&mut self.ends, self.now);
+        earlier(&mut self.next.ends, self.now);
     }
 
     fn reads(&mut self, local: LocalId) {
         self.now -= 1;
-        earlier(&mut self.read[local.index()], self.now);
+        earlier(&mut self.next.read[local.index()], self.now);
     }
 
     fn writes(&mut self, local: LocalId) {
         self.now -= 1;
-        earlier(&mut self.written[local.index()], self.now);
+        earlier(&mut self.next.written[local.index()], self.now);
         if self.is_seen(local) {
-            earlier(&mut self.shows, self.now);
+            earlier(&mut self.next.shows, self.now);
         }
     }
 
@@ -392,9 +405,9 @@ impl<'f> Backwards<'f> {
         let last = self.loops.get(depth).copied().unwrap_or(self.now);
         reads.last = reads.last.max(last).max(borrowed.unwrap_or(0));
         let (begin, block) = (self.now, self.block);
-        let Backwards { conditional, checked, allowed, .. } = *self;
+        let site = self.site;
         let reads = &mut self.reads[local.index()];
-        *reads = Reads { begin, end, block, conditional, checked, allowed, borrowed, ..*reads };
+        *reads = Reads { begin, end, block, site, borrowed, ..*reads };
     }
 
     /// Decides if a temporary is substituted, and records the effects of its value at the place where it is then
@@ -411,15 +424,13 @@ impl<'f> Backwards<'f> {
             1 if self.known.uses[at] == 1
                 && !self.known.parts[at]
                 && reads.block == self.block
-                && may_replace(value, reads.allowed)
-                && (free || !reads.conditional)
-                && (!reads.checked || effects.are_of_arithmetic())
+                && may_replace(value, reads.site.allowed)
+                && (free || !reads.site.conditional)
+                && (!reads.site.checked || effects.are_of_arithmetic())
                 && self.may_wait(&effects, value, &reads) =>
             {
                 let now = std::mem::replace(&mut self.now, reads.end);
-                let outer = (self.conditional, self.checked, self.allowed);
-                (self.conditional, self.checked) = (reads.conditional, reads.checked);
-                self.allowed = reads.allowed;
+                let outer = std::mem::replace(&mut self.site, reads.site);
                 match &value.kind {
                     ExprKind::Load(of) if self.known.may_go[of.root.index()] => {
                         self.temporary(of.root, reads.borrowed);
@@ -428,7 +439,7 @@ impl<'f> Backwards<'f> {
                     _ => self.expr(value),
                 }
                 self.now = now;
-                (self.conditional, self.checked, self.allowed) = outer;
+                self.site = outer;
                 true
             }
             _ => self.is_name_for(local, value, &reads),
@@ -442,18 +453,18 @@ impl<'f> Backwards<'f> {
             (Some(call), ExprKind::Load(_)) => call,
             _ => reads.begin,
         };
-        let unchanged = effects.reads.iter().all(|it| self.written[it.index()] > until);
+        let unchanged = effects.reads.iter().all(|it| self.next.written[it.index()] > until);
         let untouched = effects.writes.iter().all(|it| {
-            self.written[it.index()] > reads.begin && self.read[it.index()] > reads.begin
+            self.next.written[it.index()] > reads.begin && self.next.read[it.index()] > reads.begin
         });
         let seen = effects.writes.iter().any(|it| self.is_seen(*it));
         // Two indices beyond the end give the same fault in either order.
         let faults = effects.ends || effects.misses;
         unchanged
             && untouched
-            && (!faults || self.ends > reads.begin && self.shows > reads.begin)
-            && (!effects.ends || self.misses > reads.begin)
-            && (!seen || self.ends > reads.begin)
+            && (!faults || self.next.ends > reads.begin && self.next.shows > reads.begin)
+            && (!effects.ends || self.next.misses > reads.begin)
+            && (!seen || self.next.ends > reads.begin)
     }
 
     /// Returns true if a temporary only names a place or a literal that does not change until the last read.
@@ -466,7 +477,7 @@ impl<'f> Backwards<'f> {
         // An aggregate in an array is read in its place.
         let indices: Option<Vec<LocalId>> = match is_plain(place) {
             true => Some(Vec::new()),
-            false if value.ty.is_word() || self.misses(place) => None,
+            false if !(self.is_copy)(local) && (value.ty.is_word() || self.misses(place)) => None,
             false => place
                 .steps
                 .iter()
@@ -477,7 +488,7 @@ impl<'f> Backwards<'f> {
         };
         let Some(indices) = indices else { return false };
         let named = || indices.iter().chain([&place.root]);
-        if named().any(|local| self.written[local.index()] <= reads.last) {
+        if named().any(|local| self.next.written[local.index()] <= reads.last) {
             return false;
         }
         named().for_each(|local| self.reads_too(*local, reads));
@@ -494,7 +505,7 @@ impl<'f> Backwards<'f> {
             earlier(&mut of.first, reads.first);
             of.last = of.last.max(last).max(reads.last);
         } else {
-            earlier(&mut self.read[at], reads.first);
+            earlier(&mut self.next.read[at], reads.first);
         }
     }
 

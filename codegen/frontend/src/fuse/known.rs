@@ -30,6 +30,13 @@ pub(super) struct Known<'f> {
     pub depth: Vec<usize>,
     loops: usize,
     steps: u64,
+    checks: Checks,
+    pub counters: Counters,
+}
+
+/// Checks of indices.
+#[derive(Default)]
+struct Checks {
     in_check: bool,
     /// Indices checked so far in the enclosing blocks, in `order` of their checks.
     checked: HashSet<Index>,
@@ -40,7 +47,6 @@ pub(super) struct Known<'f> {
     asserted: HashSet<Index>,
     /// Indices with a use that no check precedes.
     unchecked: HashSet<Index>,
-    pub counters: Counters,
 }
 
 impl<'f> Known<'f> {
@@ -58,12 +64,7 @@ impl<'f> Known<'f> {
             depth: vec![0; count],
             loops: 0,
             steps: 0,
-            in_check: false,
-            checked: HashSet::new(),
-            order: Vec::new(),
-            again: Vec::new(),
-            asserted: HashSet::new(),
-            unchecked: HashSet::new(),
+            checks: Checks::default(),
             counters: Counters::new(),
         }
     }
@@ -76,15 +77,15 @@ impl<'f> Known<'f> {
 
     /// Removes the last check from the list; returns true if it is redundant.
     pub fn is_last_again(&mut self) -> bool {
-        self.again.pop().flatten().is_some_and(|it| self.constant[it.0.index()])
+        self.checks.again.pop().flatten().is_some_and(|it| self.constant[it.0.index()])
     }
 
     /// Returns true if a check precedes each use of these indices.
     pub fn are_checked(&self, indices: &[Option<Index>]) -> bool {
         let is_checked = |it: &Index| {
             self.constant[it.0.index()]
-                && self.asserted.contains(it)
-                && !self.unchecked.contains(it)
+                && self.checks.asserted.contains(it)
+                && !self.checks.unchecked.contains(it)
         };
         indices.iter().all(|it| it.as_ref().is_some_and(is_checked))
     }
@@ -92,10 +93,10 @@ impl<'f> Known<'f> {
 
 impl Visit for Known<'_> {
     fn block(&mut self, block: &Block) {
-        let around = self.order.len();
+        let around = self.checks.order.len();
         walk_block(self, block);
-        for index in self.order.drain(around..) {
-            self.checked.remove(&index);
+        for index in self.checks.order.drain(around..) {
+            self.checks.checked.remove(&index);
         }
     }
 
@@ -118,19 +119,19 @@ impl Visit for Known<'_> {
             }
             kind => {
                 let check = index_check(kind);
-                self.in_check = check.is_some();
+                self.checks.in_check = check.is_some();
                 walk_stmt(self, stmt);
-                self.in_check = false;
+                self.checks.in_check = false;
                 if let StmtKind::Check { .. } = kind {
                     let holds = |(index, len): &Index| {
                         self.counters.get(index).is_some_and(|above| *above <= u64::from(*len))
                     };
-                    let holds = |it: &Index| self.checked.contains(it) || holds(it);
-                    self.again.push(check.filter(holds));
+                    let holds = |it: &Index| self.checks.checked.contains(it) || holds(it);
+                    self.checks.again.push(check.filter(holds));
                 }
-                let new = check.filter(|it| self.checked.insert(*it));
-                self.order.extend(new);
-                self.asserted.extend(check);
+                let new = check.filter(|it| self.checks.checked.insert(*it));
+                self.checks.order.extend(new);
+                self.checks.asserted.extend(check);
             }
         }
     }
@@ -143,7 +144,7 @@ impl Visit for Known<'_> {
     fn place(&mut self, place: &Place, access: Access) {
         let at = place.root.index();
         self.mentioned[at] = true;
-        self.uses[at] += u32::from(!self.in_check);
+        self.uses[at] += u32::from(!self.checks.in_check);
         self.steps += 4 + self.room(place.root);
         self.may_go[at] &= access == Access::Read;
         self.constant[at] &= access == Access::Read;
@@ -152,8 +153,8 @@ impl Visit for Known<'_> {
             .flatten()
             .flatten();
         for index in doubtful {
-            if !self.checked.contains(&index) {
-                self.unchecked.insert(index);
+            if !self.checks.checked.contains(&index) {
+                self.checks.unchecked.insert(index);
             }
         }
         self.parts[at] |= !place.steps.is_empty();

@@ -84,7 +84,7 @@ impl Lowering<'_, '_> {
         if let (Type::Matrix { element, .. }, Some(elements)) = (&ty, leaves(from))
             // Else they are the names of columns.
             && let Some(first) = elements.first()
-            && matches!(self.type_alone(first)?, Type::Scalar(_))
+            && matches!(self.type_of_value(first)?, Type::Scalar(_))
         {
             let elements = self.alike(&elements, Some(Type::Scalar(*element)), &words::OPERANDS)?;
             return self.node(ExprKind::Matrix(elements), ty, expr.site);

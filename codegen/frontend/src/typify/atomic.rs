@@ -4,8 +4,8 @@
 use bessemer_ir::visit::{self, Access, VisitMut};
 use bessemer_ir::{Block, Expr, LocalId, Mode, Place, Span, Stmt, StmtKind, Type};
 
+use super::locals::Locals;
 use super::lowering::Lowering;
-use super::order::is_free;
 use super::words;
 
 impl Lowering<'_, '_> {
@@ -19,12 +19,13 @@ impl Lowering<'_, '_> {
             }
             let (ty, name) = (param.ty.clone(), param.name.clone());
             let name = if name == "self" { "next".to_owned() } else { format!("next_{name}") };
-            let copy = self.local(name, ty.clone(), span);
+            let copy = self.locals.by_value(name, ty.clone(), span);
             let place = |root| Place::local(root, ty.clone(), span);
             copies.push((place(LocalId(index as u32)), place(copy)));
         }
         let mut body = Block(std::mem::take(&mut self.out));
-        RolledBack { lowering: self, copies: &copies }.block(&mut body);
+        let mut rolled_back = RolledBack { locals: &mut self.locals, copies: &copies };
+        rolled_back.block(&mut body);
         let ends = matches!(body.0.last(), Some(Stmt { kind: StmtKind::Return(_), .. }));
         if self.result == Type::Unit && !ends {
             body.0.extend(commit(&copies, span));
@@ -44,19 +45,21 @@ fn commit(copies: &[(Place, Place)], span: Span) -> impl Iterator<Item = Stmt> {
 
 /// Replaces each write through a reference by a write to its copy. Before each `return`, after the returned value is
 /// computed, it inserts the copying back.
-struct RolledBack<'l, 'a, 'c> {
-    lowering: &'l mut Lowering<'a, 'c>,
+struct RolledBack<'l> {
+    locals: &'l mut Locals,
     copies: &'l [(Place, Place)],
 }
 
-impl VisitMut for RolledBack<'_, '_, '_> {
+impl VisitMut for RolledBack<'_> {
     fn block(&mut self, block: &mut Block) {
         for mut each in std::mem::take(&mut block.0) {
             self.stmt(&mut each);
             let span = each.span;
             if let StmtKind::Return(value) = &mut each.kind {
-                if let Some(value) = value.as_mut().filter(|value| !is_free(value)) {
-                    let local = self.lowering.local(words::OUTCOME, value.ty.clone(), span);
+                if let Some(value) = value {
+                    let local =
+                        self.locals.by_value(words::OUTCOME.to_owned(), value.ty.clone(), span);
+                    self.locals.note_atom(local);
                     let held = Expr::local(local, &value.ty, span);
                     let value = Some(std::mem::replace(value, held));
                     block.0.push(Stmt::new(StmtKind::Let { local, value }, span));

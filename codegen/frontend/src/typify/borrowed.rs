@@ -65,20 +65,6 @@ impl Lenders {
         let mut reached = lenders.map(|place| place.load());
         reached.any(|place| place.any_place(|place, _| is(place.root)))
     }
-
-    /// Returns the numbers of unresolved lenders and copies, and true if a slice was refused.
-    pub fn open(&self) -> (usize, usize, bool) {
-        (self.awaited.len(), self.copied.len(), self.problem.is_some())
-    }
-
-    /// Restores the counts of unresolved lenders and copies, and the refusal, after a lowering is discarded.
-    pub fn forget(&mut self, (awaited, copied, refused): (usize, usize, bool)) {
-        self.awaited.truncate(awaited);
-        self.copied.truncate(copied);
-        if !refused {
-            self.problem = None;
-        }
-    }
 }
 
 /// Source of a copied slice, and the span of the copy.
@@ -145,14 +131,14 @@ impl Context<'_> {
         (mutable, one): (bool, bool),
         site: Site,
     ) -> Result<Type> {
-        if let Some(known) = self.generics.get(&ty) {
+        if let Some(known) = self.types.generics.get(&ty) {
             return Ok(known.clone());
         }
         let element = self.element_type(element, site)?;
         let id = self.borrowed_struct(&element, (mutable, one), site)?;
-        self.borrowed.insert(id, Borrowed { element, mutable, one });
+        self.types.borrowed.insert(id, Borrowed { element, mutable, one });
         self.note(&Type::Struct(id)).unequal = true;
-        self.generics.insert(ty, Type::Struct(id));
+        self.types.generics.insert(ty, Type::Struct(id));
         Ok(Type::Struct(id))
     }
 
@@ -167,17 +153,17 @@ impl Context<'_> {
     /// Returns the struct and the slice of a type that represents one.
     pub(super) fn as_borrowed(&self, ty: &Type) -> Option<(StructId, &Borrowed)> {
         match ty {
-            Type::Struct(id) => Some((*id, self.borrowed.get(id)?)),
+            Type::Struct(id) => Some((*id, self.types.borrowed.get(id)?)),
             _ => None,
         }
     }
 
     /// Returns the slices in a value of a type, each with its path.
     pub(super) fn slices_in(&self, ty: &Type) -> Vec<(Path, Borrowed)> {
-        let Some(id) = struct_in(ty).filter(|_| !self.borrowed.is_empty()) else {
+        let Some(id) = struct_in(ty).filter(|_| !self.types.borrowed.is_empty()) else {
             return Vec::new();
         };
-        if let Some(borrowed) = self.borrowed.get(&id) {
+        if let Some(borrowed) = self.types.borrowed.get(&id) {
             return vec![(Path::new(), borrowed.clone())];
         }
         let inside = |(at, field): (u32, &Field)| in_field(at, self.slices_in(&field.ty));
@@ -188,7 +174,7 @@ impl Context<'_> {
     pub(super) fn groups_in(&self, ty: &Type) -> Vec<(Vec<Path>, Borrowed)> {
         let mut groups: Vec<(Vec<Path>, Borrowed)> = Vec::new();
         for (path, borrowed) in self.slices_in(ty) {
-            let known = |both| self.joined.contains(&both);
+            let known = |both| self.types.joined.contains(&both);
             let joins = |group: &(Vec<Path>, _)| {
                 group.0.iter().any(|it| self.within_one(ty, it, &path).is_some_and(known))
             };

@@ -116,7 +116,7 @@ impl Lowering<'_, '_> {
                 let inner = self.test(&parts[0], lent, site)?;
                 // Of an array it is known.
                 let there = (there.kind != ExprKind::Literal(1)).then(|| there.clone());
-                Ok(Test::of(there).and(inner))
+                Ok(Test::of(there).with(inner))
             }
             tree::Pattern::Constructor(name, _) if name == "None" => {
                 Ok(Test::of(Some(there.clone().negated())))
@@ -158,13 +158,13 @@ impl Lowering<'_, '_> {
                     let length = minus(begun.length.clone(), Expr::usize(behind as u64, span));
                     let part = begun.part(Expr::usize(0, span), length);
                     let stands = Value::Slice(Box::new(part));
-                    all = all.and(Test::named(name, *slot, stands, site).changeable(*mutable));
+                    all = all.with(Test::named(name, *slot, stands, site).changeable(*mutable));
                 }
                 continue;
             } else {
                 minus(slice.to.clone(), Expr::usize((patterns.len() - index) as u64, span))
             };
-            all = all.and(self.test(pattern, &Value::Place(slice.at(at)), site)?);
+            all = all.with(self.test(pattern, &Value::Place(slice.at(at)), site)?);
         }
         Ok(all)
     }

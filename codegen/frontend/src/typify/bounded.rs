@@ -202,14 +202,14 @@ impl Lowering<'_, '_> {
                 Ok(Expr::usize(u64::from(capacity), span))
             }
             ListMethod::IsEmpty => Ok(self.list(&arguments[0])?.length_is(CompareOp::Eq, 0, span)),
-            ListMethod::Pop => self.pop(&arguments[0], expr),
+            ListMethod::Pop => self.pop_element(&arguments[0], expr),
             ListMethod::Push | ListMethod::Clear | ListMethod::Truncate | ListMethod::Resize => {
                 refused(site, refusals::STATEMENT)
             }
         }
     }
 
-    fn pop(&mut self, list: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
+    fn pop_element(&mut self, list: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
         let (site, span) = (expr.site, self.span(expr.site));
         let ty = self.slot_of(expr)?;
         let option = struct_of(&ty, site, "an `Option`")?;
@@ -235,7 +235,7 @@ impl Lowering<'_, '_> {
         };
         let (site, span) = (expr.site, self.span(expr.site));
         match method {
-            ListMethod::Push => self.push(&arguments[0], &arguments[1], span)?,
+            ListMethod::Push => self.push_element(&arguments[0], &arguments[1], span)?,
             ListMethod::Clear => {
                 let list = self.list(&arguments[0])?;
                 self.emit(list.set_length(Expr::usize(0, span)), span);
@@ -247,7 +247,7 @@ impl Lowering<'_, '_> {
                     Expr::compare(CompareOp::Lt, length.clone(), list.length.load()).at(span);
                 self.emit_if(less, Block::of(list.set_length(length), span), span);
             }
-            ListMethod::Resize => self.resize(arguments, span)?,
+            ListMethod::Resize => self.resize_list(arguments, span)?,
             ListMethod::Pop => {
                 let list = self.list(&arguments[0])?;
                 let shorter = list.moved_length(Intrinsic::WrappingSub, span);
@@ -267,7 +267,7 @@ impl Lowering<'_, '_> {
         Ok(self.atom("length", length))
     }
 
-    fn push(&mut self, list: &tree::Expr, element: &tree::Expr, span: Span) -> Result<()> {
+    fn push_element(&mut self, list: &tree::Expr, element: &tree::Expr, span: Span) -> Result<()> {
         let list = self.list(list)?;
         let value = self.value(element, Some(&list.element))?;
         self.agree(&value.ty, &list.element, element.site)?;
@@ -280,7 +280,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    fn resize(&mut self, arguments: &[tree::Expr], span: Span) -> Result<()> {
+    fn resize_list(&mut self, arguments: &[tree::Expr], span: Span) -> Result<()> {
         let list = self.list(&arguments[0])?;
         let length = self.length_argument(&arguments[1])?;
         let value = self.value(&arguments[2], Some(&list.element))?;
@@ -306,7 +306,7 @@ impl Lowering<'_, '_> {
         };
         let (one, other) = (left.length.load(), right.length.load());
         let as_long = Expr::compare(CompareOp::Eq, one.clone(), other).at(span);
-        self.and_then(as_long, &mut Vec::new(), |inner, _| {
+        self.logic_and(as_long, &mut Vec::new(), |inner, _| {
             let count = lesser(one, Expr::usize(u64::from(left.capacity), span));
             inner.all_equal(count, span, |inner, index| {
                 let sides = [left.at([index.clone()]), right.at([index])];

@@ -17,7 +17,7 @@ impl Lowering<'_, '_> {
         match builtin {
             Builtin::Scalar(op) => self.intrinsic(op, call),
             Builtin::Number(method) => self.number_method(method, call),
-            Builtin::Bytes(order) => self.bytes(order, call),
+            Builtin::Bytes(order) => self.bytes_of_number(order, call),
             Builtin::Real | Builtin::AsF64 => {
                 let expected = (builtin == Builtin::Real).then_some(Type::F64);
                 let value = self.value(&arguments[0], expected.as_ref())?;

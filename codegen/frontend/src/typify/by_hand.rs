@@ -84,7 +84,7 @@ impl<'a> Lowering<'a, '_> {
         let is_last = |it: &tree::Expr| match &it.kind {
             Tree::Call(callee, arguments) => {
                 let called = match function.callees.get(*callee as usize) {
-                    Some(tree::Callee::Function(path)) => self.cx.all.get(path.as_str()),
+                    Some(tree::Callee::Function(path)) => self.cx.calls.all.get(path.as_str()),
                     _ => None,
                 };
                 called.is_some_and(|it| is_next_back(it))
@@ -365,7 +365,7 @@ impl<'a> Lowering<'a, '_> {
                 else {
                     return false;
                 };
-                let Some(link) = self.cx.all.get(path.as_str()) else { return false };
+                let Some(link) = self.cx.calls.all.get(path.as_str()) else { return false };
                 let at = link.tree.params.iter().position(|it| it.items);
                 let taken = at.and_then(|at| arguments.get(at));
                 generates(link)

@@ -40,7 +40,9 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn called<'t>(&self, expr: &'t tree::Expr) -> Option<Called<'a, 't>> {
         let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return None };
         match self.callee(*callee)? {
-            tree::Callee::Function(path) => Some((self.cx.all.get(path.as_str())?, arguments)),
+            tree::Callee::Function(path) => {
+                Some((self.cx.calls.all.get(path.as_str())?, arguments))
+            }
             tree::Callee::Builtin(_) => None,
         }
     }

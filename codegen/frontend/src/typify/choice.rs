@@ -9,6 +9,7 @@ use bessemer_ir::{
 use super::conditions::has_let;
 use super::lowering::{Lowering, Target};
 use super::pattern::Test;
+use super::rewrite::is_pure;
 use super::subject::taken_name;
 use super::syntax::alternatives;
 use super::value::Value;
@@ -98,10 +99,12 @@ impl Lowering<'_, '_> {
         // The later arms and the guard's own names must not see what a guard writes to what a part was copied from.
         // rustc refuses a guard that writes the matched place itself.
         if !is_place(scrutinee) {
-            let guards = arms.iter().filter_map(|arm| arm.guard.as_ref());
-            subject = self.part_held(subject, scrutinee, guards);
+            let mut guards = arms.iter().filter_map(|arm| arm.guard.as_ref());
+            if !guards.all(is_pure) {
+                subject = self.part_held(subject, scrutinee);
+            }
         }
-        self.chain(&arms, span, None, &|inner, arm, last| {
+        self.arms_by_conditions(&arms, span, None, &|inner, arm, last| {
             let test = inner.arm_test(arm, &subject, last)?;
             let then = inner.scoped(|inner| {
                 let before = inner.locals.len() as u32;
@@ -109,7 +112,7 @@ impl Lowering<'_, '_> {
                 if arm.guard.is_some() {
                     // A name may be the guard's alone.
                     let names = before..inner.locals.len() as u32;
-                    inner.unasked.extend(names.map(LocalId));
+                    names.for_each(|name| inner.locals.note_optional(LocalId(name)));
                 }
                 inner.lowered(&arm.body, target)
             })?;
@@ -145,7 +148,7 @@ impl Lowering<'_, '_> {
                 Some(before) => {
                     let guarded =
                         |inner: &mut Self, names: &mut _| inner.pattern_condition(guard, names);
-                    self.and_then(before, &mut names, guarded)?
+                    self.logic_and(before, &mut names, guarded)?
                 }
                 None => self.pattern_condition(guard, &mut names)?,
             });
@@ -163,7 +166,7 @@ impl Lowering<'_, '_> {
 
     /// Lowers arms as a chain of conditions; `taken` returns the condition and the body of one. The last arm has no
     /// condition. If only one arm `stays`, its body follows the others, all of which leave.
-    pub(super) fn chain<A>(
+    pub(super) fn arms_by_conditions<A>(
         &mut self,
         arms: &[A],
         span: Span,
@@ -176,7 +179,7 @@ impl Lowering<'_, '_> {
             self.out.extend(then.0);
             return Ok(());
         };
-        let otherwise = self.scoped(|inner| inner.chain(rest, span, stays, taken))?;
+        let otherwise = self.scoped(|inner| inner.arms_by_conditions(rest, span, stays, taken))?;
         let (condition, then, Block(behind)) = match stays.map(|stays| stays(arm)) {
             None => {
                 self.branch(condition, then, otherwise, span);
@@ -235,9 +238,7 @@ impl Lowering<'_, '_> {
         }
         let otherwise = otherwise.unwrap_or_default();
         let Some(Arm { values, body }) = cases.pop() else {
-            if !is_still(&of) {
-                self.emit(StmtKind::Expr(of), span);
-            }
+            self.evaluated(of);
             self.out.extend(otherwise.0);
             return Ok(());
         };
@@ -402,11 +403,6 @@ pub(super) fn reachable(arms: &[tree::Arm]) -> &[tree::Arm] {
     let end = arms.iter().position(all).map_or(arms.len(), |last| last + 1);
     let last = arms[..end].iter().rposition(|arm| arm.guard.is_none());
     &arms[..last.map_or(0, |last| last + 1)]
-}
-
-/// Returns true if a value can be read again and does not change while the arms are tested.
-fn is_still(value: &Expr) -> bool {
-    matches!(&value.kind, ExprKind::Load(place) if place.steps.iter().all(super::order::is_fixed))
 }
 
 /// Returns true if an expression denotes a place, and no value that is computed for the `match`.

@@ -14,6 +14,7 @@ use bessemer_ir::{
 };
 
 use super::lowering::{Closure, Lowering, Scope, UNNAMED, Way, local_since};
+use super::rewrite::is_pure;
 use super::scopes::{Names, meaning_in};
 use super::value::Value;
 use super::words;
@@ -191,18 +192,16 @@ impl<'a> Lowering<'a, '_> {
         let outside: Vec<(String, Place)> = all
             .filter_map(|(name, meaning)| Some((name.clone(), self.place_of(meaning, span)?)))
             .collect();
-        let changing: Vec<_> = outside.iter().map(|(_, place)| self.rustc_at(place)).collect();
+        let assigned: Vec<_> = outside.iter().map(|(_, place)| self.rustc_at(place)).collect();
         let mut inner = Lowering::new(&mut *self.cx, template)?;
         inner.parameters()?;
         let first = inner.locals.len();
-        let changing = (first as u32..).map(LocalId).zip(changing);
-        inner.changing.extend(changing.filter_map(|(local, ty)| Some((local, ty?))));
-        inner.locals.extend(outside.iter().map(|(name, place)| Local {
-            name: name.clone(),
-            ty: place.ty.clone(),
-            mode: Mode::RefMut,
-            span: place.span,
-        }));
+        for ((name, place), ty) in outside.iter().zip(assigned) {
+            let (name, span) = (name.clone(), place.span);
+            let captured = Local { name, ty: place.ty.clone(), mode: Mode::RefMut, span };
+            let local = inner.locals.add(captured);
+            ty.into_iter().for_each(|ty| inner.locals.note_assigned(local, ty));
+        }
         let params = inner.locals.len();
         let mut next = first as u32;
         for (param, mut closure) in closures {
@@ -293,7 +292,7 @@ impl<'a> Lowering<'a, '_> {
             && let Some(local) = local_since(place, before)
         {
             // A local of its own, which nothing names from here on.
-            self.held.insert(local);
+            self.locals.note_temporary(local);
             return Ok(value);
         }
         // The value is held: its operands may be written before it is used. If it has no name, it takes the closure's.
@@ -342,7 +341,11 @@ impl<'a> Lowering<'a, '_> {
             let each = name == tree::EACH;
             let subject = self.argument_for(parameter, argument, &handed, (each, site))?;
             self.name_own(parameter, &subject, stays);
-            subjects.push(self.part_held(subject, argument, &arguments[at + 1..]));
+            // A parameter is another name of an accumulator that the body assigns.
+            subjects.push(match arguments[at + 1..].iter().all(is_pure) {
+                true => subject,
+                false => self.part_held(subject, argument),
+            });
         }
         self.in_scope_of(&handed, None, site, |inner| {
             inner.bind_arguments(closure, &subjects, stays)?;
@@ -426,7 +429,7 @@ impl<'a> Lowering<'a, '_> {
         let each = each.map(|each| (tree::EACH.to_owned(), each));
         let names = names.iter().cloned().chain([each.into_iter().collect()]).collect();
         let expanding = if locals.is_some() { expanding } else { &self.expanding }.clone();
-        self.from(closure.source, Scope { names, expanding, locals: *locals }, site, lower)
+        self.in_names(closure.source, Scope { names, expanding, locals: *locals }, site, lower)
     }
 
     /// Binds the parameters of a closure: as aliases of the argument places where these do not change. A local of the
@@ -440,14 +443,11 @@ impl<'a> Lowering<'a, '_> {
         let mut names = Vec::new();
         for (pattern, subject) in closure.parameters.iter().zip(subjects) {
             self.name_own(pattern, subject, stays);
-            // Nothing but its loop changes a counter that is handed on.
-            let counter =
-                |place: &Place| place.steps.is_empty() && self.steady.contains(&place.root);
             match (pattern, subject) {
                 (
                     tree::Pattern::Name { name, mutable: false, inner: None, .. },
                     Value::Place(place),
-                ) if stays.is_some() || counter(place) => self.bind(name, subject.clone()),
+                ) if stays.is_some() => self.bind(name, subject.clone()),
                 // What was just computed for a name that no author gave.
                 (tree::Pattern::Name { name, slot: NO_SLOT, .. }, Value::Word(_)) => {
                     self.bind(name, subject.clone());
@@ -483,7 +483,7 @@ impl<'a> Lowering<'a, '_> {
                 self.locals[place.root.index()].name.clone_from(name);
                 // A computed aggregate needs a local anyway, which then has the author's name.
                 if !place.ty.is_word() {
-                    self.atoms.remove(&place.root);
+                    self.locals.note_named(place.root);
                 }
             }
             _ => {}

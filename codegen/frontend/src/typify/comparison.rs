@@ -17,7 +17,6 @@ use bessemer_ir::{
 
 use super::lengths::size;
 use super::lowering::Lowering;
-use super::order::{has_effect, is_free};
 use super::value::step_to;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
@@ -38,14 +37,14 @@ pub(super) struct Pair {
 
 impl Pair {
     /// Returns the pair of the same part of both places.
-    pub(super) fn map(&self, part: impl Fn(&Place) -> Place) -> Pair {
+    pub(super) fn parts(&self, part: impl Fn(&Place) -> Place) -> Pair {
         let [left, right] = &self.sides;
         Pair { sides: [part(left), part(right)], ..*self }
     }
 
     /// Returns the pair of the parts that a step leads to.
     fn at(&self, step: &Step, ty: &Type) -> Pair {
-        self.map(|whole| whole.inside(step.clone(), ty.clone()))
+        self.parts(|whole| whole.inside(step.clone(), ty.clone()))
     }
 }
 
@@ -60,25 +59,15 @@ impl Lowering<'_, '_> {
         let own = self.cx.known(&left.ty).own_equality.is_some();
         match (self.is_variant(&left), self.is_variant(&right)) {
             (false, true) if !own => return self.equal_variant(left, right, site),
-            // What stands in the variant is evaluated first: it must not change what is read of the other.
-            (true, false)
-                if !own && matches!(right.kind, ExprKind::Load(_)) && !has_effect(&left) =>
-            {
-                return self.equal_variant(right, left, site);
-            }
+            (true, false) if !own => return self.equal_variant(right, left, site),
             _ => {}
         }
-        let sides = [left, right].map(|side| self.compared(side));
+        let sides = [left, right].map(|side| self.hold(side));
         let pair = Pair { span: self.span(site), site, sides };
         match pair.sides[0].ty {
             Type::Struct(id) if !own && self.is_flat(id) => self.equal_parts(id, &pair),
             _ => self.equal(&pair),
         }
-    }
-
-    /// Returns the place of a compared value; its indices are evaluated once.
-    pub(super) fn compared(&mut self, value: Expr) -> Place {
-        self.hold(value)
     }
 
     /// Returns true for a variant constructed in place, such as `Some(3)`.
@@ -87,11 +76,6 @@ impl Lowering<'_, '_> {
             return false;
         };
         let of_literal = parts.first().is_some_and(|tag| matches!(tag.kind, ExprKind::Literal(_)));
-        // What is read only if the variant is there must not fault; what is computed has a name before.
-        let computed = |part: &Expr| part.ty.is_word() && !matches!(part.kind, ExprKind::Load(_));
-        if !parts.iter().all(|part| is_free(part) || computed(part)) {
-            return false;
-        }
         of_literal && matches!(self.cx.module.structs[id.index()].form, Form::Choice(_))
     }
 
@@ -99,7 +83,7 @@ impl Lowering<'_, '_> {
     fn equal_variant(&mut self, value: Expr, variant: Expr, site: Site) -> Result<Expr> {
         let span = self.span(site);
         self.check_equality(&value.ty, site)?;
-        let value = self.compared(value);
+        let value = self.hold(value);
         let (ExprKind::Struct(parts), Type::Struct(id)) = (variant.kind, variant.ty) else {
             return problem(site, "this is no variant", OUR_FAULT);
         };
@@ -114,16 +98,16 @@ impl Lowering<'_, '_> {
             return Ok(there);
         };
         let own = self.part(&value, id, at);
-        // What may fault is evaluated whether the variant is there or not.
-        let loaded = matches!(part.kind, ExprKind::Load(_));
+        // It is evaluated whether the variant is there or not.
+        let part = self.atom(words::OPERAND, part);
         let known = self.cx.known(&part.ty);
         let plain = part.ty.is_word() && known.own_equality.is_none() && !known.unequal;
-        if plain && !loaded && is_free(&part) {
+        if plain {
             let same = Expr::compare(CompareOp::Eq, own.load(), part).at(span);
             return Ok(Expr::logic(LogicOp::And, there, same));
         }
-        let pair = Pair { sides: [own, self.compared(part)], site, span };
-        self.and_then(there, &mut Vec::new(), |inner, _| inner.equal(&pair))
+        let pair = Pair { sides: [own, self.hold(part)], site, span };
+        self.logic_and(there, &mut Vec::new(), |inner, _| inner.equal(&pair))
     }
 
     /// Returns true if a struct has only fields of one word, which are compared as words.
@@ -189,7 +173,7 @@ impl Lowering<'_, '_> {
             role: Role::Inline { public: true },
             attributes: Attributes::default(),
             docs: vec!["Whether the two are equal, part by part.".to_owned()],
-            locals: locals.into_iter().map(super::function::without_marks).collect(),
+            locals: locals.into_all().into_iter().map(super::function::without_marks).collect(),
             params: 2,
             result: Type::BOOL,
             result_name: String::new(),
@@ -205,7 +189,7 @@ impl Lowering<'_, '_> {
     /// Returns the name `equal`, or another one if the author has a function whose C name would be the same.
     fn equality_name(&self, id: StructId) -> String {
         let ty = Type::Struct(id);
-        let paths = self.cx.types.iter().filter(|(_, it)| **it == ty);
+        let paths = self.cx.types.by_path.iter().filter(|(_, it)| **it == ty);
         let mut homes: Vec<String> = paths.map(|(path, _)| format!("{path}::equal")).collect();
         let own = super::names::snake(self.cx.name_of(&ty).unwrap_or_default());
         homes.push(format!("::{own}::equal"));
@@ -243,7 +227,7 @@ impl Lowering<'_, '_> {
         }
         let mut all: Option<Expr> = None;
         for index in 0..count {
-            let part = pair.map(|whole| self.part(whole, id, index));
+            let part = pair.parts(|whole| self.part(whole, id, index));
             // A field that may hold nothing is looked at where it does.
             let condition = match &form {
                 Form::Choice(chosen) if index > 0 => {
@@ -261,7 +245,7 @@ impl Lowering<'_, '_> {
             };
             all = Some(match all {
                 None => compare(self)?,
-                Some(all) => self.and_then(all, &mut Vec::new(), |inner, _| compare(inner))?,
+                Some(all) => self.logic_and(all, &mut Vec::new(), |inner, _| compare(inner))?,
             });
         }
         Ok(all.unwrap_or_else(|| Expr::bool(true, pair.span)))
@@ -307,7 +291,7 @@ impl Lowering<'_, '_> {
         right: Expr,
         site: Site,
     ) -> Result<Expr> {
-        let mut sides = [left, right].map(|operand| self.compared(operand));
+        let mut sides = [left, right].map(|operand| self.hold(operand));
         if self.cx.known(&sides[0].ty).reversed {
             sides.reverse();
         }
@@ -351,7 +335,7 @@ impl Lowering<'_, '_> {
     /// Compares the variants, then the payloads of equal variants.
     fn by_variants(&mut self, op: CompareOp, id: StructId, pair: &Pair) -> Result<Expr> {
         let span = pair.span;
-        let [one, other] = pair.map(|whole| self.part(whole, id, 0)).sides.map(|tag| tag.load());
+        let [one, other] = pair.parts(|whole| self.part(whole, id, 0)).sides.map(|tag| tag.load());
         let same = Expr::compare(CompareOp::Eq, one.clone(), other.clone()).at(span);
         let tags = [one, other].map(|tag| match tag.ty {
             Type::Enum(of) => self.number(of, tag),
@@ -367,7 +351,7 @@ impl Lowering<'_, '_> {
         for (word, case) in (0..).zip(self.cx.known_of(id).cases.clone()) {
             let Some(field) = case.field else { continue };
             let there = self.tag_is(&pair.sides[0], id, word);
-            let part = pair.map(|whole| self.part(whole, id, field as usize));
+            let part = pair.parts(|whole| self.part(whole, id, field as usize));
             let ordered = |inner: &mut Self| match (case.single, &part.sides[0].ty) {
                 (false, Type::Struct(parts)) => {
                     let steps = inner.steps_to_fields(*parts);
@@ -379,7 +363,7 @@ impl Lowering<'_, '_> {
                 }
             };
             let of_case = if op == strict(op) {
-                self.and_then(there, &mut Vec::new(), |inner, _| ordered(inner))?
+                self.logic_and(there, &mut Vec::new(), |inner, _| ordered(inner))?
             } else {
                 self.short_circuit(LogicOp::Or, there.negated(), span, ordered)?
             };

@@ -9,11 +9,7 @@ use bessemer_ir::{
 use super::Result;
 use super::lowering::Lowering;
 use super::order::read_later;
-use super::rewrite::is_pure;
-use super::subject::{Placeholder, is_among};
 use super::value::{Named, Value};
-use bessemer_ir::effects;
-use bessemer_ir::visit::VisitMut;
 
 impl Lowering<'_, '_> {
     /// Lowers a condition with patterns, whose names are aliases of their places from here on.
@@ -32,71 +28,38 @@ impl Lowering<'_, '_> {
             }
             Tree::Binary(tree::BinaryOp::LogicAnd, left, right) if has_let(expr) => {
                 let left = self.pattern_condition(left, names)?;
-                self.and_then(left, names, |inner, names| inner.further_condition(right, names))
+                self.logic_and(left, names, |inner, names| inner.further_condition(right, names))
             }
             _ => self.value(expr, Some(&Type::BOOL)),
         }
     }
 
-    /// Lowers the next condition of a chain; earlier conditions bound `names`. A name whose place this condition
-    /// writes is copied first. The other names are aliases, represented by placeholder locals until the chain is
-    /// lowered.
+    /// Lowers the next condition of a chain; earlier conditions bound `names`. A name with a value keeps it, whatever the
+    /// condition writes.
     pub(super) fn further_condition(
         &mut self,
         expr: &tree::Expr,
         names: &mut Vec<Named>,
     ) -> Result<Expr> {
-        if names.is_empty() {
-            return self.pattern_condition(expr, names);
-        }
-        let writes = !is_pure(expr);
-        let mut copied = Vec::new();
-        for named in names.iter().filter(|it| writes && it.slot != NO_SLOT) {
-            let part = matches!(named.stands, Value::Slice(_));
-            if part && !self.slot_is_reference(named.slot, named.site)? {
-                copied.push(named.slot);
-            }
-        }
-        self.copy_names(names, |named| named.mutable || copied.contains(&named.slot))?;
-        let known = names.len();
-        let mut placeholders = Vec::new();
-        for at in (0..known).filter(|_| writes) {
-            let Named { name, slot, stands, site, .. } = &names[at];
-            let Value::Place(place) = stands else { continue };
-            // Nothing reads one behind another of its name.
-            let hidden = names[at + 1..].iter().any(|it| it.name == *name);
-            if !hidden
-                && *slot != NO_SLOT
-                && (self.is_borrowed(&names[at], place)?
-                    || !self.slot_is_reference(*slot, *site)?)
+        let mut parts = Vec::new();
+        for named in names.iter().filter(|it| it.slot != NO_SLOT) {
+            if let Value::Slice(_) = named.stands
+                && !self.slot_is_reference(named.slot, named.site)?
             {
-                let placeholder = Placeholder::of(self, place.clone());
-                self.bind(name, Value::Place(placeholder.stands()));
-                placeholders.push((at, placeholder));
+                parts.push(named.slot);
             }
         }
-        let (mut value, mut stmts) = self.apart(|inner| inner.pattern_condition(expr, names))?;
-        let written = [effects::writes(&stmts), effects::lent(&value)].concat();
-        let mut copied = Vec::new();
-        for (at, placeholder) in placeholders {
-            let mut place = placeholder.place.clone();
-            if is_among(&place, &written) {
-                self.bind_names(&names[at..=at])?;
-                let copy = self.lookup(&names[at].name, names[at].site)?;
-                place = self.place_of(&copy, place.span).unwrap_or(place);
-                copied.push(at);
-            } else {
-                self.alias_names(&names[at..=at]);
+        self.copy_names(names, |named| named.mutable || parts.contains(&named.slot))?;
+        for named in names.iter_mut().filter(|it| it.slot != NO_SLOT) {
+            let Value::Place(place) = &named.stands else { continue };
+            if self.is_borrowed(named, place)? || !self.slot_is_reference(named.slot, named.site)? {
+                let (name, place) = (&named.name, place.clone());
+                let copy = self.naming_as("", |inner| inner.copied_place(name, place));
+                named.stands = Value::Place(copy);
             }
-            let mut put = placeholder.replaced(self, place);
-            put.expr(&mut value);
-            stmts.iter_mut().for_each(|stmt| put.stmt(stmt));
-            names[known..].iter_mut().for_each(|named| put.value(&mut named.stands));
         }
-        self.alias_names(&names[known..]);
-        copied.iter().rev().for_each(|at| drop(names.remove(*at)));
-        self.out.extend(stmts);
-        Ok(value)
+        self.alias_names(names);
+        self.pattern_condition(expr, names)
     }
 
     /// Emits the branches of a pattern, or only the branch that constant lengths select.
@@ -116,8 +79,8 @@ impl Lowering<'_, '_> {
         span: Span,
         right: impl FnOnce(&mut Self) -> Result<Expr>,
     ) -> Result<Expr> {
-        let (right, inner) = self.apart(right)?;
-        let (right, inner) = self.joined(right, inner, &[]);
+        let (right, inner) = self.in_block(right)?;
+        let (right, inner) = self.joined(right, inner, &mut []);
         match inner.is_empty() {
             true => Ok(Expr::logic(op, left, right).at(span)),
             false => Ok(self.right_behind(op, left, right, inner)),
@@ -141,13 +104,13 @@ impl Lowering<'_, '_> {
     }
 
     /// Lowers `left && right` so that `names`, which later code uses, denote the locals that the right side declares.
-    pub(super) fn and_then(
+    pub(super) fn logic_and(
         &mut self,
         left: Expr,
         names: &mut Vec<Named>,
         right: impl FnOnce(&mut Self, &mut Vec<Named>) -> Result<Expr>,
     ) -> Result<Expr> {
-        let (right, inner) = self.apart(|inner| right(inner, names))?;
+        let (right, inner) = self.in_block(|inner| right(inner, names))?;
         let (right, inner) = self.joined(right, inner, names);
         if inner.is_empty() {
             return Ok(Expr::logic(LogicOp::And, left, right));
@@ -164,7 +127,7 @@ impl Lowering<'_, '_> {
                 continue;
             };
             // Where a block is left, nothing is declared.
-            let own = self.atoms.contains(&local) && !later.contains(&local);
+            let own = self.locals.is_atom(local) && !later.contains(&local);
             if own || self.frames.iter().any(|frame| frame.mark == Some(local)) {
                 kept.push(Stmt { kind: StmtKind::Let { local, value }, span, comments });
                 continue;

@@ -10,13 +10,13 @@ use super::lowering::{Leaving, Lowering, RESULT, Target};
 use super::syntax::{control_with_value, either, ends_in_loop, names_by_case};
 use super::value::Value;
 use super::words;
-use super::{Needed, Result, order, refusals, refused};
+use super::{Needed, Result, refusals, refused};
 use crate::standard;
 use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
     /// Lowers `expr` and assigns its value to `target`.
-    pub(super) fn into(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
+    pub(super) fn lower_into(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
         self.lowered(expr, Some(target))
     }
 
@@ -113,9 +113,9 @@ impl Lowering<'_, '_> {
         let then = self.block(then, target)?;
         let otherwise = self.otherwise(otherwise, target)?;
         // Assignments of zero-sized values are erased, so both branches may be empty.
-        let idle = target.is_none() && then.0.is_empty() && otherwise.0.is_empty();
-        if !(idle && order::is_free(&condition)) {
-            self.emit(StmtKind::If { condition, then, otherwise }, span);
+        match target.is_none() && then.0.is_empty() && otherwise.0.is_empty() {
+            true => self.evaluated(condition),
+            false => self.emit(StmtKind::If { condition, then, otherwise }, span),
         }
         Ok(())
     }
@@ -180,7 +180,7 @@ impl Lowering<'_, '_> {
         let first = value.and_then(|value| self.before_loop(value, &ty, span));
         self.emit(StmtKind::Let { local, value: first }, span);
         let place = Place::local(local, ty, span);
-        value.map_or(Ok(()), |value| self.into(value, &Target::Place(place.clone())))?;
+        value.map_or(Ok(()), |value| self.lower_into(value, &Target::Place(place.clone())))?;
         Ok(place)
     }
 
@@ -280,7 +280,7 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             Tree::Call(callee, arguments) if self.is_unwrap(*callee) => {
-                self.unwrap(OptionMethod::Unwrap, Call { arguments, expr }).map(|_| ())
+                self.payload_needed(OptionMethod::Unwrap, Call { arguments, expr }).map(|_| ())
             }
             Tree::Try(label, operand) => {
                 self.try_value(label.as_deref(), operand, expr.site).map(|_| ())
@@ -319,7 +319,7 @@ impl Lowering<'_, '_> {
 
     fn return_stmt(&mut self, value: Option<&tree::Expr>, site: Site) -> Result<()> {
         if let Some(value) = value.filter(|_| self.result != Type::Unit) {
-            return self.naming_as(RESULT, |inner| inner.into(value, &Target::Return));
+            return self.naming_as(RESULT, |inner| inner.lower_into(value, &Target::Return));
         }
         value.map_or(Ok(()), |value| self.effect(value))?;
         let span = self.span(site);
@@ -357,13 +357,13 @@ impl Lowering<'_, '_> {
 
     /// Refuses an assignment that makes a reference refer to another place: in the C its name is an alias of one
     /// place.
-    pub(super) fn keeps_what_it_refers_to(
+    pub(super) fn refuse_moved_reference(
         &mut self,
         place: &tree::Expr,
         value: &tree::Expr,
     ) -> Result<()> {
         let Tree::Local(name) = &place.kind else {
-            let element = !self.cx.borrowed.is_empty()
+            let element = !self.cx.types.borrowed.is_empty()
                 && matches!(place.kind, Tree::Field(..) | Tree::Index(..))
                 && self.place_type(place).is_ok_and(|ty| self.type_behind(ty.clone()) != ty);
             return if element { refused(place.site, refusals::MOVED_REFERENCE) } else { Ok(()) };
@@ -405,7 +405,7 @@ impl Lowering<'_, '_> {
             };
         }
         if op.is_none() {
-            self.keeps_what_it_refers_to(place, value)?;
+            self.refuse_moved_reference(place, value)?;
         }
         if op.is_none() && self.holds_nothing(place) {
             self.effect(value)?;
@@ -418,19 +418,17 @@ impl Lowering<'_, '_> {
         let span = self.span(site);
         match op {
             None if control_with_value(value) || self.stands_here(value) => {
-                let mark = self.out.len();
-                let target = self.writable(place)?;
-                let later = self.later(mark);
                 // Rust computes the value before the place. A place without statements of its own is assigned in each branch.
-                match self.joined(target.load(), later.clone(), &[]) {
+                let (target, chosen) = self.in_block(|inner| inner.writable(place))?;
+                match self.joined(target.load(), chosen.clone(), &mut []) {
                     (Expr { kind: ExprKind::Load(target), .. }, left)
                         if left.is_empty() && !effects::calls(&target.load()) =>
                     {
-                        self.into(value, &Target::Place(target))?;
+                        self.lower_into(value, &Target::Place(target))?;
                     }
                     _ => {
                         let value = self.value(value, Some(&target.ty))?;
-                        self.out.extend(later);
+                        self.out.extend(chosen);
                         self.emit(StmtKind::Assign { place: target, value }, span);
                     }
                 }
@@ -474,9 +472,6 @@ impl Lowering<'_, '_> {
     /// Returns the place of `place op= value` with its computed indices in temporaries, since Rust evaluates them
     /// once and first.
     fn computed_once(&mut self, place: &tree::Expr) -> Result<tree::Expr> {
-        if is_repeatable(place) {
-            return Ok(place.clone());
-        }
         let found = self.writable(place)?;
         self.bind(PLACE, Value::Place(found));
         Ok(tree::Expr { kind: Tree::Local(PLACE.to_owned()), ..place.clone() })
@@ -530,13 +525,3 @@ impl Lowering<'_, '_> {
 
 /// Name of a place with computed indices during its assignment.
 const PLACE: &str = "%place";
-
-/// Returns true if a place may be evaluated twice: it consists of names and literals.
-fn is_repeatable(place: &tree::Expr) -> bool {
-    match &place.kind {
-        Tree::Local(_) | Tree::Int(..) => true,
-        Tree::Field(base, _) | Tree::Deref(base) => is_repeatable(base),
-        Tree::Index(base, index) => is_repeatable(base) && is_repeatable(index),
-        _ => false,
-    }
-}

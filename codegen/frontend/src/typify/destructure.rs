@@ -142,7 +142,7 @@ impl Lowering<'_, '_> {
         }
         let (subject, span) = (self.subject_of(&stay.pattern, subject)?, self.span(site));
         let given = RefCell::new(Value::Nothing);
-        self.chain(&arms, span, Some(&stays), &|inner, arm, last| {
+        self.arms_by_conditions(&arms, span, Some(&stays), &|inner, arm, last| {
             let Test { condition, names } = inner.test(&arm.pattern, &subject, site)?;
             let then = inner.scoped(|inner| {
                 inner.bind_names(&names)?;

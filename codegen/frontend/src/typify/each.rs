@@ -205,7 +205,7 @@ impl Lowering<'_, '_> {
             _ => words::ELEMENT,
         };
         let local = self.local(name, ty.clone(), span);
-        self.held.insert(local);
+        self.locals.note_temporary(local);
         let place = Place::local(local, ty, span);
         self.emit(StmtKind::Let { local, value: None }, span);
         let assigned = cases.into_iter().map(|(condition, element)| {

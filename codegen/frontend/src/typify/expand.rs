@@ -53,14 +53,16 @@ impl<'a> Lowering<'a, '_> {
         }
         let value = match standard::is_comparison(called.0) {
             true => {
-                let compared = self.apart(|inner| inner.expanded(called, site, end))?;
+                let compared = self.in_block(|inner| inner.expanded(called, site, end))?;
                 self.items_compared(compared, called.1, site)?
             }
             false => self.expanded(called, site, end)?,
         };
         // A local of its own, which nothing names from here on.
-        if let ExprKind::Load(place) = &value.kind {
-            self.held.extend(local_since(place, before));
+        if let ExprKind::Load(place) = &value.kind
+            && let Some(local) = local_since(place, before)
+        {
+            self.locals.note_temporary(local);
         }
         Ok(value)
     }
@@ -167,7 +169,7 @@ impl<'a> Lowering<'a, '_> {
         }
         let called = (function.path.as_str(), self.span(site));
         let expanding = [&self.expanding[..], &[called]].concat();
-        self.from(
+        self.in_names(
             function,
             Scope { names: vec![bound.into_iter().collect()], expanding, locals: None },
             site,
@@ -177,7 +179,7 @@ impl<'a> Lowering<'a, '_> {
 
     /// Lowers code of another function in its own scope. An error in it is reported once, at its line; the caller's
     /// `site` has no message then. An error in a function of the DSL is reported at the author's call.
-    pub(super) fn from<T>(
+    pub(super) fn in_names<T>(
         &mut self,
         function: &'a tree::Function,
         Scope { names, expanding, .. }: Scope<'a>,

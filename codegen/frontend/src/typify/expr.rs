@@ -124,7 +124,7 @@ impl Lowering<'_, '_> {
                 self.question(scrutinee, &arms[0], site)
             }
             tree::ExprKind::Fold { .. } => {
-                let local = self.fold(expr, None)?;
+                let local = self.lower_fold(expr, None)?;
                 let span = self.span(site);
                 Ok(Expr::local(local, &self.locals[local.index()].ty, span))
             }
@@ -265,17 +265,6 @@ impl Lowering<'_, '_> {
             }
             _ => two(self.operands(&both)?, site),
         }
-    }
-
-    /// Returns the type of an expression without emitting any statement.
-    pub(super) fn type_alone(&mut self, expr: &tree::Expr) -> Result<Type> {
-        let (statements, locals) = (std::mem::take(&mut self.out), self.locals.len());
-        let open = self.lenders.open();
-        let ty = self.read(expr, None).map(|value| value.ty);
-        self.out = statements;
-        self.lenders.forget(open);
-        self.drop_locals(locals);
-        ty
     }
 
     /// The expected type of the right operand of an arithmetic operator.
@@ -478,7 +467,7 @@ impl Lowering<'_, '_> {
         match callee {
             tree::Callee::Builtin(builtin) => self.builtin(*builtin, Call { arguments, expr }),
             tree::Callee::Function(path) => {
-                let function = self.cx.all.get(path.as_str()).copied();
+                let function = self.cx.calls.all.get(path.as_str()).copied();
                 if let Some(template) = function.filter(|it| takes_closures(it)) {
                     return self.call_handing(template, arguments, expr);
                 }
@@ -494,7 +483,7 @@ impl Lowering<'_, '_> {
                     && self.cx.by_columns
                     && let Some(a) = matrix_of_factors(function, self.called(bare(factors)))
                 {
-                    let types = [self.type_alone(a)?, self.type_alone(b)?];
+                    let types = [self.type_of_value(a)?, self.type_of_value(b)?];
                     let kernel = kernel_of(KernelRoutine::Solve, &types);
                     let kernel = kernel.needed(expr.site, "this takes matrices of floats")?;
                     let option = self.slot_of(expr)?;

@@ -145,7 +145,7 @@ impl Lowering<'_, '_> {
         let rest = rest.map(|rest| self.base(rest)).transpose()?;
         // Where the rest is a value that was held just now, that becomes the struct.
         let is_made =
-            |it: &&Place| local_since(it, before).is_some_and(|it| self.held.contains(&it));
+            |it: &&Place| local_since(it, before).is_some_and(|it| self.locals.is_temporary(it));
         if let Some(made) = rest.as_ref().filter(is_made) {
             for ((value, at), (_, expr)) in values.into_iter().zip(&places).zip(fields) {
                 let Some(at) = at else { continue };
@@ -154,7 +154,7 @@ impl Lowering<'_, '_> {
                 self.emit(StmtKind::Assign { place, value }, span);
             }
             // It is written here, so no name may stand for a part of it before.
-            self.release(made.root);
+            self.locals.release(made.root);
             return Ok(made.load());
         }
         let mut ordered = Vec::new();

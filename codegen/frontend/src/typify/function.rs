@@ -1,6 +1,6 @@
 //! Lowers one function: parameters, scopes, and statements in order.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{
@@ -10,6 +10,7 @@ use bessemer_ir::{
 
 use super::borrowed::{Lenders, Path};
 use super::destructure::Let;
+use super::locals::Locals;
 use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since};
 use super::names::split;
 use super::scopes::{Names, meaning_in};
@@ -49,7 +50,7 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Low
         _ => tree.name.clone(),
     };
     // The methods of what is no type of the author's in the C say in their names whose they are.
-    let nameless = source.owner.as_ref().and_then(|path| lowering.cx.nothings.get(path));
+    let nameless = source.owner.as_ref().and_then(|path| lowering.cx.types.nothings.get(path));
     let nameless = nameless.map(|it| names::snake(&it.name));
     let name = match nameless.as_deref().or(number_of(source)) {
         Some(owner) => format!("{owner}_{name}"),
@@ -113,7 +114,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
         let site = source.tree.site;
         if let Some(path) = &source.owner
             && number_of(source).is_none()
-            && !cx.types.contains_key(path)
+            && !cx.types.by_path.contains_key(path)
         {
             let remedy = match path.contains("::") {
                 true => "mark it `#[data]`",
@@ -135,17 +136,11 @@ impl<'a, 'c> Lowering<'a, 'c> {
         Ok(Lowering {
             cx,
             source,
-            locals: Vec::new(),
+            locals: Locals::default(),
             scopes: vec![Names::default()],
             out: Vec::new(),
             naming: UNNAMED.into(),
             result,
-            held: HashSet::new(),
-            atoms: HashSet::new(),
-            steady: HashSet::new(),
-            changing: HashMap::new(),
-            unasked: Vec::new(),
-            valued: HashSet::new(),
             lenders: Lenders::default(),
             frames: Vec::new(),
             counters: Vec::new(),
@@ -160,7 +155,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
 impl Lowering<'_, '_> {
     /// Returns the author's type whose method is being lowered.
     pub(super) fn owner(&self) -> Option<Owner> {
-        match self.cx.types.get(self.source.owner.as_ref()?) {
+        match self.cx.types.by_path.get(self.source.owner.as_ref()?) {
             Some(Type::Struct(id)) => Some(Owner::Struct(*id)),
             Some(Type::Enum(id)) => Some(Owner::Enum(*id)),
             _ => None,
@@ -174,7 +169,8 @@ impl Lowering<'_, '_> {
         self.check_locals()?;
         let given_back = self.lent_out()?;
         let (source, result) = (self.source, self.result.clone());
-        let locals = std::mem::take(&mut self.locals);
+        let facts = std::mem::take(&mut self.locals);
+        let locals = facts.to_vec();
         let mut function = Function {
             name: source.tree.name.clone(),
             module: source.module.clone(),
@@ -190,7 +186,7 @@ impl Lowering<'_, '_> {
             kernel: None,
             span,
         };
-        fuse(&self.cx.module, &mut function, &self.atoms);
+        fuse(&self.cx.module, &mut function, &|local| facts.is_atom(local));
         Ok(Lowered { function, absent: std::mem::take(&mut self.absent), given_back })
     }
 
@@ -217,7 +213,7 @@ impl Lowering<'_, '_> {
             let span = self.span(param.site);
             let local = self.declare(&param.name, ty, mode, span);
             match mode {
-                Mode::Value if !param.mutable => _ = self.steady.insert(local),
+                Mode::Value if !param.mutable => self.locals.note_counter(local),
                 Mode::Ref => {}
                 _ => self.note_changing(local, param.slot),
             }
@@ -252,7 +248,7 @@ impl Lowering<'_, '_> {
             self.effect(tail)?;
         } else {
             self.naming = RESULT.into();
-            self.into(tail, &Target::Return)?;
+            self.lower_into(tail, &Target::Return)?;
         }
         self.comment(mark, tail.site);
         Ok(())
@@ -303,8 +299,7 @@ impl Lowering<'_, '_> {
 
     /// Adds a local by value, which no name denotes yet.
     pub(super) fn local(&mut self, name: impl Into<String>, ty: Type, span: Span) -> LocalId {
-        self.locals.push(Local { name: name.into(), ty, mode: Mode::Value, span });
-        LocalId(self.locals.len() as u32 - 1)
+        self.locals.by_value(name.into(), ty, span)
     }
 
     /// Declares a local with its value, and returns its place.
@@ -384,10 +379,21 @@ impl Lowering<'_, '_> {
         done
     }
 
+    /// Lowers into a block of its own, and returns the statements of the block.
+    pub(super) fn in_block<T>(
+        &mut self,
+        lower: impl FnOnce(&mut Self) -> Result<T>,
+    ) -> Result<(T, Vec<Stmt>)> {
+        let outer = std::mem::take(&mut self.out);
+        let done = lower(self);
+        let inner = std::mem::replace(&mut self.out, outer);
+        Ok((done?, inner))
+    }
+
     /// Lowers in a new scope, into a new block.
     pub(super) fn scoped(&mut self, lower: impl FnOnce(&mut Self) -> Result<()>) -> Result<Block> {
         self.scopes.push(Names::default());
-        let done = self.apart(lower);
+        let done = self.in_block(lower);
         self.scopes.pop();
         done.map(|((), inner)| Block(inner))
     }
@@ -464,7 +470,7 @@ impl Lowering<'_, '_> {
         }
         let ty = match (slot, rewritten) {
             _ if absent => Type::Unit,
-            (NO_SLOT, Some(value)) => self.type_alone(value)?,
+            (NO_SLOT, Some(value)) => self.type_of_value(value)?,
             _ if refers.is_some() => self.refers_to(slot, site)?,
             _ => self.slot(slot, site)?,
         };
@@ -477,7 +483,7 @@ impl Lowering<'_, '_> {
         self.naming_as(name, |inner| match rewritten {
             Some(value) if matches!(value.kind, tree::ExprKind::Fold { .. }) => {
                 // The loop gathers in the variable itself.
-                let local = inner.fold(value, Some(name))?;
+                let local = inner.lower_fold(value, Some(name))?;
                 inner.agree(&inner.locals[local.index()].ty.clone(), &ty, site)?;
                 inner.bind(name, Value::Local(local));
                 Ok(())
@@ -505,7 +511,9 @@ impl Lowering<'_, '_> {
     /// Returns the temporary in which a value was built, if nothing else uses it. It may get the author's name.
     fn made_for(&mut self, value: &Expr, since: usize) -> Option<LocalId> {
         match &value.kind {
-            ExprKind::Load(place) => local_since(place, since).filter(|local| self.release(*local)),
+            ExprKind::Load(place) => {
+                local_since(place, since).filter(|local| self.locals.release(*local))
+            }
             _ => None,
         }
     }
@@ -526,7 +534,7 @@ impl Lowering<'_, '_> {
     /// Declares a temporary that the following statements assign, and returns its place.
     pub(super) fn assigned(&mut self, role: &str, value: Expr) -> Place {
         let place = self.mutable_place(role, value);
-        self.held.insert(place.root);
+        self.locals.note_temporary(place.root);
         place
     }
 

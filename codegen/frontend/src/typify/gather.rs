@@ -12,7 +12,6 @@ use bessemer_ir::{Expr, LocalId, Scalar, Stmt, StmtKind, Type};
 use super::items::handing;
 use super::lowering::Lowering;
 use super::numbers::float;
-use super::order::{is_free, is_settled};
 use super::rewrite::rewritten;
 use super::value::Value;
 use super::words;
@@ -44,42 +43,46 @@ impl Lowering<'_, '_> {
 
     /// Lowers an accumulating loop, and returns the local with the result. The local has the author's name if
     /// `called` is one.
-    pub(super) fn fold(&mut self, expr: &tree::Expr, called: Option<&str>) -> Result<LocalId> {
+    pub(super) fn lower_fold(
+        &mut self,
+        expr: &tree::Expr,
+        called: Option<&str>,
+    ) -> Result<LocalId> {
         let Tree::Fold { name, start, each } = &expr.kind else {
             return problem(expr.site, "this gathers nothing", OUR_FAULT);
         };
         let (ty, span) = (self.slot_of(expr)?, self.span(expr.site));
-        let mark = self.out.len();
-        let value = match start {
-            Start::Tried(value) => Some(self.goes_on(value, expr)?),
-            Start::Sum => Some(self.neutral(0.0, &ty, expr)?),
-            Start::Product => Some(self.neutral(1.0, &ty, expr)?),
-            // Every element is assigned; that is shown to the validator by a value before.
-            Start::Elements => Some(self.zero(&ty, span)),
-        };
-        let local = self.local(called.unwrap_or(name), ty, span);
-        self.emit(StmtKind::Let { local, value }, span);
-        let begun = self.later(mark);
-        self.naming_scope(|inner| {
-            inner.bind(name, Value::Local(local));
-            inner.effect(each)
+        let local = self.local(called.unwrap_or(name), ty.clone(), span);
+        let (_, begun) = self.in_block(|inner| {
+            let value = match start {
+                Start::Tried(value) => inner.goes_on(value, expr)?,
+                Start::Sum => inner.neutral(0.0, &ty, expr)?,
+                Start::Product => inner.neutral(1.0, &ty, expr)?,
+                // Every element is assigned; that is shown to the validator by a value before.
+                Start::Elements => inner.zero(&ty, span),
+            };
+            inner.emit(StmtKind::Let { local, value: Some(value) }, span);
+            Ok(())
         })?;
-        let mut source = self.later(mark);
-        let passes = source.iter().position(|stmt| matches!(stmt.kind, StmtKind::For { .. }));
-        // Where a block stands around the loop, what begins it may not be parted from it.
-        let mut passes = source.split_off(passes.unwrap_or(0));
-        self.out.extend(source);
-        if !beginning(&begun).is_some_and(is_free) {
-            self.settle_bounds(passes.first_mut());
+        let (_, mut passes) = self.in_block(|inner| {
+            inner.naming_scope(|inner| {
+                inner.bind(name, Value::Local(local));
+                inner.effect(each)
+            })
+        })?;
+        if let Start::Tried(_) = start {
+            // Rust creates the iterator before it computes what to begin with. Where a block is around the loop, the
+            // statements before the loop remain with it.
+            let first = passes.iter().position(|stmt| matches!(stmt.kind, StmtKind::For { .. }));
+            let source: Vec<_> = passes.drain(..first.unwrap_or(0)).collect();
+            self.out.extend(source);
+            if let Some(Stmt { kind: StmtKind::For { from, to, .. }, .. }) = passes.first_mut() {
+                for (bound, role) in [from, to].into_iter().zip(words::BOUNDS) {
+                    *bound = self.atom(role, bound.clone());
+                }
+            }
         }
-        // Rust looks for what is gathered before it computes what to begin with.
-        let source = self.later(mark);
-        let is_first = |value: &Expr| is_settled(value, &source);
-        match source.is_empty() || beginning(&begun).is_some_and(is_first) {
-            true => self.out.extend(begun.into_iter().chain(source)),
-            false => self.out.extend(source.into_iter().chain(begun)),
-        }
-        self.out.extend(passes);
+        self.out.extend(begun.into_iter().chain(passes));
         Ok(local)
     }
 
@@ -92,14 +95,6 @@ impl Lowering<'_, '_> {
         let case = case.or_refused(expr.site, refusals::TRY_FOLD)?;
         let kind = Tree::Constructor(case.to_owned(), vec![value.clone()]);
         self.value(&tree::Expr { kind, site: value.site, slot: expr.slot }, None)
-    }
-
-    /// Evaluates the bounds of a loop that may fault into temporaries.
-    fn settle_bounds(&mut self, passes: Option<&mut Stmt>) {
-        let Some(Stmt { kind: StmtKind::For { from, to, .. }, .. }) = passes else { return };
-        for (bound, role) in [from, to].into_iter().zip(words::BOUNDS) {
-            *bound = self.atom(role, bound.clone());
-        }
     }
 
     /// Returns the neutral element that a sum or a product begins with. A sum of matrices or complex numbers begins
@@ -118,14 +113,6 @@ impl Lowering<'_, '_> {
             Type::Scalar(Scalar::Int(_)) => Ok(Expr::literal(number as u64, ty.clone(), span)),
             _ => refused(expr.site, refusals::SUMMED),
         }
-    }
-}
-
-/// Returns the initial value of a fold, if it was emitted as one declaration.
-fn beginning(begun: &[Stmt]) -> Option<&Expr> {
-    match begun {
-        [Stmt { kind: StmtKind::Let { value: Some(value), .. }, .. }] => Some(value),
-        _ => None,
     }
 }
 
@@ -191,15 +178,15 @@ fn tried(items: &tree::Expr, rest: &[tree::Expr], expr: &tree::Expr) -> Option<t
     let plain = |kind| tree::Stmt::Expr(tree::Expr::plain(kind, site));
     let goes_on = |part| Box::new(Pattern::Constructor(tree::GOES_ON.into(), vec![part]));
     let stop = tree::Block { stmts: vec![plain(Tree::Break(None, None))], tail: None };
-    let apart = |pattern, value, otherwise| tree::Stmt::Apart { pattern, value, otherwise, site };
+    let split = |pattern, value, otherwise| tree::Stmt::Apart { pattern, value, otherwise, site };
     let start = ("%tried", Start::Tried(Box::new(start.clone())));
     Some(gathered(items, start, expr, &|gathered, item| {
         let next = Tree::Assign(None, Box::new(gathered.clone()), closure.body.clone());
         let stmts = vec![
-            apart(goes_on(so_far.clone()), gathered.clone(), None),
-            apart(Box::new(taken.clone()), item, None),
+            split(goes_on(so_far.clone()), gathered.clone(), None),
+            split(Box::new(taken.clone()), item, None),
             plain(next),
-            apart(goes_on(Pattern::Any), gathered, Some(stop.clone())),
+            split(goes_on(Pattern::Any), gathered, Some(stop.clone())),
         ];
         Tree::Block(tree::Block { stmts, tail: None })
     }))

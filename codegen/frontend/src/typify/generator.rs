@@ -98,7 +98,7 @@ impl<'a> Lowering<'a, '_> {
         let [pattern, item] = pair(each.pattern, site)?;
         // Rust evaluates the operands of `zip` from left to right.
         let mut source = (**one).clone();
-        self.settle_source(&mut source)?;
+        self.create_source(&mut source)?;
         let Value::Closure(through) = self.gone_through(of)? else { return Ok(false) };
         if let Source::Elements(one, _) = &mut source
             && let Some(named) = self.iterator_named(one)
@@ -217,9 +217,9 @@ impl<'a> Lowering<'a, '_> {
             }
             Tree::Local(name) => match self.lookup(name, expr.site)? {
                 known @ (Value::Place(_) | Value::Slice(_)) => Ok(known),
-                Value::Local(local) if !self.steady.contains(&local) => {
+                Value::Local(local) if !self.locals.is_counter(local) => {
                     // Nothing else writes to it: it was made to be handed on.
-                    self.held.insert(local);
+                    self.locals.note_temporary(local);
                     let item = self.subject(expr)?;
                     if let Some(taken) = taken {
                         self.name_own(taken, &item, Some(0));

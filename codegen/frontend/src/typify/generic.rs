@@ -80,7 +80,7 @@ impl Context<'_> {
     /// Returns the struct that represents a standard type.
     pub(super) fn generic(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         let ty = &bare(ty, true);
-        if let Some(known) = self.generics.get(ty) {
+        if let Some(known) = self.types.generics.get(ty) {
             return Ok(known.clone());
         }
         let id = match ty {
@@ -90,7 +90,7 @@ impl Context<'_> {
             Ty::Result(value, error) => self.outcome(value, Some(error), site)?,
             _ => return problem(site, "this type has no struct", OUR_FAULT),
         };
-        self.generics.insert(ty.clone(), Type::Struct(id));
+        self.types.generics.insert(ty.clone(), Type::Struct(id));
         Ok(Type::Struct(id))
     }
 
@@ -203,7 +203,7 @@ impl Context<'_> {
         form: Form,
         site: Site,
     ) -> Result<StructId> {
-        if self.generics.values().any(|ty| self.name_of(ty) == Some(&name)) {
+        if self.types.generics.values().any(|ty| self.name_of(ty) == Some(&name)) {
             return problem(
                 site,
                 format!("two types would both be `{}_t` in the C", snake(&name)),

@@ -7,11 +7,12 @@
 
 use bessemer_ir::tree::{self, Site, Ty};
 use bessemer_ir::visit::{self, VisitMut};
-use bessemer_ir::{Block, Expr, ExprKind, LocalId, Place, Step, StmtKind, StructId, Type};
+use bessemer_ir::{Block, Expr, ExprKind, Place, Step, StmtKind, StructId, Type};
 
 use super::borrowed::{Borrowed, spot_of};
 use super::lenders::{FROM, LENGTH};
-use super::lowering::{Lowering, UNNAMED};
+use super::locals::Locals;
+use super::lowering::{Lowering, UNNAMED, local_since};
 use super::syntax::control_with_value;
 use super::value::{Slice, Value};
 use super::words;
@@ -25,19 +26,20 @@ impl Lowering<'_, '_> {
         let borrowed = borrowed.clone();
         let base = self.lender_of(&place).unwrap_or_else(|| self.awaited(&place, &borrowed, site));
         let Borrowed { element, one, .. } = borrowed;
-        let lasting = self.is_lasting(&place);
         let part = |at: u32| place.inside(Step::Field(at), Type::USIZE).load();
         let length = if one { Expr::usize(1, place.span) } else { part(LENGTH) };
         let (mut from, mut length) = (part(FROM), length);
-        if !lasting {
-            // The slice stays what it is, whatever is written to the place.
-            let field = if one { None } else { self.field_name(&place) };
-            let name = field.unwrap_or_else(|| self.locals[place.root.index()].name.clone());
-            let roles = if one { words::ENDS_OF_ONE } else { words::ENDS };
-            let parts = [&mut from, &mut length].into_iter().zip(roles);
-            for (part, role) in parts.filter(|(part, _)| !part.is_literal()) {
-                let held = self.naming_as(&*name, |inner| inner.atom_place(role, part.clone()));
-                self.unasked.push(held.root);
+        // The slice stays what it is, whatever is written to the place.
+        let field = if one { None } else { self.field_name(&place) };
+        let name = field.unwrap_or_else(|| self.locals[place.root.index()].name.clone());
+        let roles = if one { words::ENDS_OF_ONE } else { words::ENDS };
+        let parts = [&mut from, &mut length].into_iter().zip(roles);
+        for (part, role) in parts.filter(|(part, _)| !part.is_literal()) {
+            if let ExprKind::Load(of) = part.kind.clone() {
+                let before = self.locals.len();
+                let held = self.naming_as(&*name, |inner| inner.constant_place(role, of));
+                let copy = local_since(&held, before);
+                copy.into_iter().for_each(|copy| self.locals.note_optional(copy));
                 *part = held.load();
             }
         }
@@ -141,7 +143,7 @@ impl Lowering<'_, '_> {
                 return of.load();
             }
         }
-        let one = self.cx.borrowed.get(&id).is_some_and(|it| it.one);
+        let one = self.cx.types.borrowed.get(&id).is_some_and(|it| it.one);
         let parts = if one { vec![slice.from] } else { vec![slice.from, slice.length] };
         let kind = ExprKind::Struct(parts);
         let value = Expr { kind, ty: Type::Struct(id), span };
@@ -205,9 +207,7 @@ impl Lowering<'_, '_> {
 
     /// Removes declarations of temporaries that nothing reads.
     pub(super) fn leave_unasked(&self, body: &mut Block) {
-        if !self.unasked.is_empty() {
-            Unasked(&self.unasked).block(body);
-        }
+        Unasked(&self.locals).block(body);
     }
 
     /// Gives a slice parameter that is assigned later a local for its present beginning and length.
@@ -222,7 +222,7 @@ impl Lowering<'_, '_> {
 
     /// Copies a slice whose base is a loan, since the value that holds the loan may be assigned another one.
     pub(super) fn kept_elements(&mut self, slice: Slice) -> Slice {
-        if !self.is_loan(&slice.base) || self.is_lasting(&slice.base) {
+        if !self.is_loan(&slice.base) {
             return slice;
         }
         let name = self.field_name(&slice.base).unwrap_or_else(|| UNNAMED.into());
@@ -251,13 +251,13 @@ fn borrows(ty: &Ty) -> bool {
 }
 
 /// Removes the declarations of locals that no later statement mentions.
-struct Unasked<'l>(&'l [LocalId]);
+struct Unasked<'l>(&'l Locals);
 
 impl VisitMut for Unasked<'_> {
     fn block(&mut self, block: &mut Block) {
         for at in (0..block.0.len()).rev() {
             if let StmtKind::Let { local, .. } = &block.0[at].kind
-                && self.0.contains(local)
+                && self.0.is_optional(*local)
                 && !effects::mentions(&block.0[at + 1..], *local)
             {
                 block.0.remove(at);

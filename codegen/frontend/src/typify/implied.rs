@@ -15,26 +15,26 @@ use super::{
 impl<'a> Context<'a> {
     /// Returns the function of a path, lowered now if it was not before; none if it was refused, which is reported.
     pub(super) fn function(&mut self, path: &str) -> Option<FunctionId> {
-        if let Some(function) = self.waiting.remove(path) {
-            self.underway.push(&function.path);
+        if let Some(function) = self.calls.waiting.remove(path) {
+            self.calls.underway.push(&function.path);
             let lowered = function::lower(self, function);
-            self.underway.pop();
+            self.calls.underway.pop();
             match lowered {
                 Ok(lowered) => {
                     let id = self.add(lowered);
-                    self.functions.insert(function.path.clone(), id);
+                    self.calls.lowered.insert(function.path.clone(), id);
                 }
                 Err(problem) => self.tell(&function.file, problem),
             }
         }
-        self.functions.get(path).copied()
+        self.calls.lowered.get(path).copied()
     }
 
     /// Adds a function to the module.
     pub(super) fn add(&mut self, lowered: function::Lowered) -> FunctionId {
         let id = FunctionId(self.module.functions.len() as u32);
-        self.absent.insert(id, lowered.absent);
-        self.given_back.insert(id, lowered.given_back);
+        self.calls.absent.insert(id, lowered.absent);
+        self.calls.given_back.insert(id, lowered.given_back);
         self.module.functions.push(lowered.function);
         id
     }
@@ -50,11 +50,11 @@ impl<'a> Context<'a> {
     pub(super) fn note_implied(&mut self, implied: &'a [tree::Implied]) {
         for it in implied {
             match (it.of.as_str(), &it.owner) {
-                ("From" | "PartialOrd", _) => self.between.push(it),
-                ("PartialEq", _) if it.owner != it.other => self.between.push(it),
+                ("From" | "PartialOrd", _) => self.implied.between.push(it),
+                ("PartialEq", _) if it.owner != it.other => self.implied.between.push(it),
                 ("PartialEq", tree::Ty::Named(path)) => {
                     // Of what holds nothing no comparison is taken.
-                    let ty = self.types.get(path).filter(|ty| **ty != Type::Unit);
+                    let ty = self.types.by_path.get(path).filter(|ty| **ty != Type::Unit);
                     if let Some(ty) = ty.cloned() {
                         self.note(&ty).own_equality = Some(&it.function);
                     }
@@ -70,7 +70,7 @@ impl<'a> Context<'a> {
 impl Context<'_> {
     /// Returns true if an author wrote an `==` of any type.
     pub(super) fn has_own_equality(&self) -> bool {
-        self.known.values().any(|known| known.own_equality.is_some())
+        self.types.known.values().any(|known| known.own_equality.is_some())
     }
 
     /// Returns true if a call compares values by an author's `==`.
@@ -101,7 +101,7 @@ impl<'a> Context<'a> {
     /// Returns the functions of a trait for two types, each with these types.
     fn between(&mut self, of: &str, site: Site) -> Result<Vec<(Type, Type, &'a str)>> {
         let mut found = Vec::new();
-        for it in self.between.clone() {
+        for it in self.implied.between.clone() {
             if it.of == of {
                 let [one, other] = [&it.owner, &it.other].map(|ty| self.pointee(ty, site));
                 found.push((one?, other?, it.function.as_str()));
@@ -172,7 +172,7 @@ impl Lowering<'_, '_> {
         match self.cx.function(path) {
             Some(id) => Ok(id),
             // Calls by name that come back were told by the builder.
-            None if !self.cx.refused && self.cx.underway.contains(&path) => problem(
+            None if !self.cx.refused && self.cx.calls.underway.contains(&path) => problem(
                 site,
                 format!("`{path}` calls itself through an operator, a conversion or a loop"),
                 "write a loop with a bound, or compare the parts",
@@ -227,7 +227,9 @@ impl Lowering<'_, '_> {
                 let meant = |it: &&&tree::Implied| {
                     it.of == "From" && Some(&it.owner) == to && Some(&it.other) == from
                 };
-                found.extend(self.cx.between.iter().find(meant).map(|it| it.function.as_str()));
+                found.extend(
+                    self.cx.implied.between.iter().find(meant).map(|it| it.function.as_str()),
+                );
             }
         }
         let [path] = found.as_slice() else {

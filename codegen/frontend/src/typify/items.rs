@@ -51,7 +51,7 @@ pub(super) fn lent(argument: &tree::Expr) -> &tree::Expr {
 
 /// Copies an author's own iterator.
 pub(super) fn copied(lowering: &mut Lowering, own: &Place) -> Place {
-    lowering.own_copy(own.load())
+    lowering.iterator_copy(own.load())
 }
 
 /// Returns true if a function consumes its only iterator before it evaluates another parameter.
@@ -73,7 +73,7 @@ impl<'a> Lowering<'a, '_> {
         }
         self.check_taken(argument)?;
         let mut closure = handing(argument);
-        self.settle_items(&mut closure.body)?;
+        self.create_items(&mut closure.body)?;
         Ok(self.closure_here(closure))
     }
 
@@ -191,16 +191,16 @@ impl<'a> Lowering<'a, '_> {
     /// that also has an `iter_mut`, since either may be meant.
     fn own_iter(&mut self, of: &tree::Expr) -> Option<tree::Expr> {
         let is_place = matches!(of.kind, Tree::Local(_) | Tree::Field(..) | Tree::Index(..));
-        if !is_place || self.cx.own_iterators.is_empty() || self.holds_nothing(of) {
+        if !is_place || self.cx.calls.own_iterators.is_empty() || self.holds_nothing(of) {
             return None;
         }
-        let ty = self.type_alone(of).ok()?;
-        let (path, _) = self.cx.types.iter().find(|(_, known)| **known == ty)?;
-        let own = self.cx.own_iterators.iter().find(|it| it.owner.as_ref() == Some(path))?;
+        let ty = self.type_of_value(of).ok()?;
+        let (path, _) = self.cx.types.by_path.iter().find(|(_, known)| **known == ty)?;
+        let own = self.cx.calls.own_iterators.iter().find(|it| it.owner.as_ref() == Some(path))?;
         let is_iterator = |ty: &Ty| match ty {
             Ty::Named(path) => {
-                let ty = self.cx.types.get(path);
-                self.cx.iterators.iter().any(|(own, _)| Some(own) == ty)
+                let ty = self.cx.types.by_path.get(path);
+                self.cx.implied.iterators.iter().any(|(own, _)| Some(own) == ty)
             }
             _ => false,
         };

@@ -45,10 +45,10 @@ impl<'a> Context<'a> {
     /// Records an author-defined iterator.
     pub(super) fn note_iterator(&mut self, it: &'a tree::Implied) {
         if let Ty::Named(path) = &it.owner
-            && let Some(ty) = self.types.get(path)
+            && let Some(ty) = self.types.by_path.get(path)
         {
             if *ty == Type::Unit
-                && let Some(next) = self.all.get(it.function.as_str()).copied()
+                && let Some(next) = self.calls.all.get(it.function.as_str()).copied()
             {
                 let (message, help) = refusals::EMPTY_ITERATOR;
                 let (message, help) = (message.to_owned(), help.to_owned());
@@ -57,7 +57,7 @@ impl<'a> Context<'a> {
             }
             let ty = ty.clone();
             let next = self.unnamed(&it.function);
-            self.iterators.push((ty, next));
+            self.implied.iterators.push((ty, next));
         }
     }
 
@@ -65,10 +65,10 @@ impl<'a> Context<'a> {
     /// binding is not `mut`.
     pub(super) fn holds_iterator(&self, ty: &Type) -> bool {
         match ty {
-            _ if self.iterators.is_empty() => false,
+            _ if self.implied.iterators.is_empty() => false,
             Type::Array { element, .. } => self.holds_iterator(element),
             Type::Struct(id) => {
-                self.iterators.iter().any(|(own, _)| own == ty)
+                self.implied.iterators.iter().any(|(own, _)| own == ty)
                     || self.fields(*id).iter().any(|field| self.holds_iterator(&field.ty))
             }
             _ => false,
@@ -79,23 +79,23 @@ impl<'a> Context<'a> {
     pub(super) fn unnamed(&mut self, path: &str) -> u32 {
         let is_it =
             |it: &tree::Callee| matches!(it, tree::Callee::Function(known) if known == path);
-        let known = self.unnamed.iter().position(is_it).unwrap_or_else(|| {
-            self.unnamed.push(tree::Callee::Function(path.to_owned()));
-            self.unnamed.len() - 1
+        let known = self.calls.unnamed.iter().position(is_it).unwrap_or_else(|| {
+            self.calls.unnamed.push(tree::Callee::Function(path.to_owned()));
+            self.calls.unnamed.len() - 1
         });
         CALLEES + known as u32
     }
 
     /// Returns the callee with such a number.
     pub(super) fn unnamed_callee(&self, number: u32) -> Option<&tree::Callee> {
-        self.unnamed.get(number.checked_sub(CALLEES)? as usize)
+        self.calls.unnamed.get(number.checked_sub(CALLEES)? as usize)
     }
 }
 
 impl Lowering<'_, '_> {
     /// Rewrites `iterator.next()` of an author-defined iterator as a call of its function.
     pub(super) fn own_next_called(&mut self, expr: &tree::Expr) -> Option<tree::Expr> {
-        if self.cx.iterators.is_empty() {
+        if self.cx.implied.iterators.is_empty() {
             return None;
         }
         let (function, [iterator]) = self.called(expr)? else { return None };
@@ -107,7 +107,7 @@ impl Lowering<'_, '_> {
 
     /// Returns the callee that yields the next item of an expression; none if it is no author-defined iterator.
     pub(super) fn own_next(&mut self, expr: &tree::Expr) -> Option<u32> {
-        if self.cx.iterators.is_empty() {
+        if self.cx.implied.iterators.is_empty() {
             return None;
         }
         let of = self.itself(expr);
@@ -122,16 +122,16 @@ impl Lowering<'_, '_> {
             _ => {
                 let called = self.called(of).and_then(|(it, _)| result_of(it));
                 match called.or_else(|| self.seen_as(of))? {
-                    Ty::Named(path) => self.cx.types.get(path)?.clone(),
+                    Ty::Named(path) => self.cx.types.by_path.get(path)?.clone(),
                     Ty::Ref(inner, _) => match &**inner {
-                        Ty::Named(path) => self.cx.types.get(path)?.clone(),
+                        Ty::Named(path) => self.cx.types.by_path.get(path)?.clone(),
                         _ => return None,
                     },
                     _ => return None,
                 }
             }
         };
-        self.cx.iterators.iter().find(|(own, _)| *own == ty).map(|(_, next)| *next)
+        self.cx.implied.iterators.iter().find(|(own, _)| *own == ty).map(|(_, next)| *next)
     }
 
     /// The operand of `&`, `*` and `by_ref()`, which all denote the same iterator.
@@ -160,7 +160,7 @@ impl Lowering<'_, '_> {
             Some(place) => {
                 match self.locals[place.root.index()].mode {
                     // A value was copied from there.
-                    Mode::Ref => self.own_copy(place.load()),
+                    Mode::Ref => self.iterator_copy(place.load()),
                     _ => place,
                 }
             }
@@ -168,19 +168,17 @@ impl Lowering<'_, '_> {
                 let value = self.value(of, None)?;
                 match &value.kind {
                     ExprKind::Load(place) if local_since(place, before).is_some() => place.clone(),
-                    _ => self.own_copy(value),
+                    _ => self.iterator_copy(value),
                 }
             }
         };
         let root = place.root;
-        self.release(root);
-        self.steady.remove(&root);
-        self.changing.entry(root).or_insert(Ty::Unit);
+        self.locals.note_written(root);
         Ok(place)
     }
 
     /// Copies an author-defined iterator into a local named after its type.
-    pub(super) fn own_copy(&mut self, value: Expr) -> Place {
+    pub(super) fn iterator_copy(&mut self, value: Expr) -> Place {
         let name = match &value.ty {
             Type::Struct(id) => names::role(&self.cx.module.structs[id.index()].name),
             _ => words::ELEMENTS.into(),
@@ -242,7 +240,7 @@ impl Lowering<'_, '_> {
                 let [pattern, item] = pair(pattern, site)?;
                 // Rust evaluates the operands of `zip` from left to right.
                 let mut source = source.clone();
-                self.settle_source(&mut source)?;
+                self.create_source(&mut source)?;
                 let next = self.next_item(callee, of, site)?;
                 let (source, body) = (&source, &taking_next(item, next, body, site));
                 self.each_stmt(Each { pattern, source, body, ..each })

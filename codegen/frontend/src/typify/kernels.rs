@@ -110,7 +110,7 @@ impl Lowering<'_, '_> {
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        let types = arguments.iter().map(|argument| self.type_alone(argument));
+        let types = arguments.iter().map(|argument| self.type_of_value(argument));
         let types = types.collect::<Result<Vec<_>>>()?;
         let kernel = kernel_of(routine, &types);
         let kernel = kernel.needed(expr.site, "this takes matrices of `f64` or `f32`")?;

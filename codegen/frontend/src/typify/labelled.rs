@@ -57,11 +57,11 @@ impl Lowering<'_, '_> {
             // Behind a flag no compiler sees that something has been assigned.
             stmts.each_stmt(|stmt| {
                 if let StmtKind::Let { local, value: None } = &stmt.kind {
-                    self.valued.insert(*local);
+                    self.locals.note_valued(*local);
                 }
             });
             if let Some(Target::Place(place)) = target {
-                self.valued.insert(place.root);
+                self.locals.note_valued(place.root);
             }
         }
         self.out.extend(stmts);
@@ -70,12 +70,9 @@ impl Lowering<'_, '_> {
 
     /// Adds initial values to the declarations of locals that need one.
     pub(super) fn give_values(&self, stmts: &mut [Stmt]) {
-        if self.valued.is_empty() {
-            return;
-        }
         for stmt in stmts {
             if let StmtKind::Let { local, value: value @ None } = &mut stmt.kind
-                && self.valued.contains(local)
+                && self.locals.is_valued(*local)
             {
                 *value = Some(self.zero(&self.locals[local.index()].ty, stmt.span));
             }

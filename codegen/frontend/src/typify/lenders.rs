@@ -21,8 +21,7 @@ use super::borrowed::{Awaited, Borrowed, Copied, Path, Spot, in_field, spot_of};
 use super::call::lent;
 use super::lengths::is_number;
 use super::lowering::{Lowering, UNNAMED};
-use super::order::indices;
-use super::value::{Slice, Submatrix, Value};
+use super::value::{Slice, Submatrix, Value, indices};
 use super::{Needed, Problem, Result, problem, refusals, refused};
 use bessemer_ir::effects::same_place;
 
@@ -60,16 +59,16 @@ impl Lowering<'_, '_> {
 
     /// Records that two slices of a parameter have one lender; the function is lowered again with this. Returns false
     /// if they are not slices of one parameter.
-    fn join(&mut self, one: &Place, other: &Place) -> bool {
+    fn join_lenders(&mut self, one: &Place, other: &Place) -> bool {
         let slice = |of: &Place| self.lenders.lending.iter().find(|it| it.0 == of.root).cloned();
         let (Some((_, param, one)), Some((_, also, other))) = (slice(one), slice(other)) else {
             return false;
         };
         let ty = self.locals[param.index()].ty.clone();
         let both = self.cx.within_one(&ty, &one, &other);
-        let both = both.filter(|both| param == also && !self.cx.joined.contains(both));
+        let both = both.filter(|both| param == also && !self.cx.types.joined.contains(both));
         let joins = both.is_some();
-        self.cx.joined.extend(both);
+        self.cx.types.joined.extend(both);
         joins
     }
 
@@ -148,7 +147,7 @@ impl Lowering<'_, '_> {
 
     /// Returns the lenders of the slices in a call's result: places that its arguments borrow.
     fn lent_by_call(&self, id: FunctionId, arguments: &[Argument]) -> Vec<(Path, Lent)> {
-        let Some(given) = self.cx.given_back.get(&id) else { return Vec::new() };
+        let Some(given) = self.cx.calls.given_back.get(&id) else { return Vec::new() };
         let mapped = |(path, lender): &(Path, Place)| {
             let of = passed_for(lender, arguments)?;
             let outer = match of.steps.split_last() {
@@ -179,7 +178,11 @@ impl Lowering<'_, '_> {
             (None, _) if !of_param || !indices(&lender).all(Expr::is_literal) => {
                 refusals::UNNAMEABLE
             }
-            (_, Some(known)) if same_place(&known, &lender) || self.join(&known, &lender) => return,
+            (_, Some(known))
+                if same_place(&known, &lender) || self.join_lenders(&known, &lender) =>
+            {
+                return;
+            }
             (_, Some(_)) => refusals::ONE_OR_OTHER,
             (Some(root), None) if indices(&lender).any(|index| mentions_from(index, root)) => {
                 let outer = lender.steps.split_last().map_or(&[][..], |(_, outer)| outer);
@@ -245,7 +248,7 @@ impl Lowering<'_, '_> {
     /// lender's beginning.
     pub(super) fn counted_from_lender(&mut self, call: Expr) -> Result<Expr> {
         let ExprKind::Call(id, arguments) = &call.kind else { return Ok(call) };
-        let Some(given) = self.cx.given_back.get(id) else { return Ok(call) };
+        let Some(given) = self.cx.calls.given_back.get(id) else { return Ok(call) };
         let begun =
             |(path, lender): &(Path, Place)| match passed_for(lender, arguments)?.steps.last() {
                 Some(Step::From(from)) if !is_number(from, 0) => Some((path.clone(), from.clone())),

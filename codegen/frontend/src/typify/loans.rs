@@ -46,12 +46,12 @@ impl Lowering<'_, '_> {
     /// Records that the author may assign a local again, with rustc's type from its slot.
     pub(super) fn note_changing(&mut self, local: LocalId, slot: u32) {
         let ty = self.source.slots.get(slot as usize).cloned();
-        self.changing.insert(local, ty.unwrap_or(Ty::Unit));
+        self.locals.note_assigned(local, ty.unwrap_or(Ty::Unit));
     }
 
     /// Returns rustc's types along a place, beginning with its local; none where unknown.
     fn rustc_along(&self, place: &Place) -> Vec<Option<Ty>> {
-        let first = match self.changing.get(&place.root) {
+        let first = match self.locals.assigned(place.root) {
             // What a parameter refers to.
             Some(Ty::Ref(inner, true)) => Some((**inner).clone()),
             ty => ty.cloned(),
@@ -66,13 +66,13 @@ impl Lowering<'_, '_> {
 
     /// Returns rustc's type of a place that its author may assign again.
     pub(super) fn rustc_at(&self, place: &Place) -> Option<Ty> {
-        self.changing.get(&place.root)?;
+        self.locals.assigned(place.root)?;
         self.rustc_along(place).pop()?
     }
 
     /// Returns true if a place holds a copy of a referenced value, and the reference may be assigned again.
     pub(super) fn is_loan(&self, place: &Place) -> bool {
-        let changes = self.changing.contains_key(&place.root)
+        let changes = self.locals.assigned(place.root).is_some()
             || self.locals[place.root.index()].mode == Mode::RefMut
             || self.stands(place.root);
         let refers = |ty: &Option<Ty>| matches!(ty, Some(Ty::Ref(_, false)));

@@ -4,8 +4,6 @@
 //! ends. Leaving a loop that is not the innermost sets a flag: each loop in between ends, and the flag is tested
 //! after it.
 
-use std::collections::HashSet;
-
 use bessemer_ir::tree::{self, Builtin, ListMethod, Pattern, Site};
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
@@ -18,6 +16,7 @@ use crate::termination::{self, Loop, Proof};
 
 use super::each::Each;
 use super::lengths::size;
+use super::locals::Locals;
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
 use super::order::is_light;
 use super::single_pass::single_pass;
@@ -46,7 +45,7 @@ impl Lowering<'_, '_> {
             let mut variable = LocalId(0);
             let body = inner.scoped(|inner| {
                 variable = inner.declare(name, ty.clone(), Mode::Value, span);
-                inner.steady.insert(variable);
+                inner.locals.note_counter(variable);
                 if range.to.is_none() {
                     inner.ask_open(variable, &ends[1], span);
                 }
@@ -106,7 +105,7 @@ impl Lowering<'_, '_> {
                     _ if condition.is_none() => {
                         // What leaves an outer loop is looked at right behind this one.
                         if inner.frames.last().is_some_and(|frame| frame.behind.is_empty()) {
-                            behind = last_breath(&inner.atoms, &mut body);
+                            behind = last_breath(&inner.locals, &mut body);
                         }
                         return inner.ended_loop(site, body);
                     }
@@ -163,7 +162,7 @@ impl Lowering<'_, '_> {
         let is_true = |condition: &Expr| condition.kind == ExprKind::Literal(1);
         let (mut holds, mut heads) = (Expr::bool(true, span), Vec::new());
         for part in conjuncts(condition) {
-            let (next, stmts) = self.apart(|inner| inner.further_condition(part, names))?;
+            let (next, stmts) = self.in_block(|inner| inner.further_condition(part, names))?;
             let (next, stmts) = self.joined(next, stmts, names);
             holds = match stmts.is_empty() {
                 _ if is_true(&holds) => next,
@@ -187,7 +186,7 @@ impl Lowering<'_, '_> {
 
     /// Returns the body of a loop with its temporaries substituted.
     fn fused(&self, body: &Block) -> Block {
-        fuse::view(&self.cx.module, &self.locals, &self.atoms, body)
+        fuse::view(&self.cx.module, &self.locals, &|local| self.locals.is_atom(local), body)
     }
 
     /// Returns the bound of a loop that one of the `if`s at `heads` ends.
@@ -519,8 +518,8 @@ fn no_end() -> termination::Reason {
 
 /// Returns the statements before the only `break`, with which a loop body begins, and removes them. They run after
 /// the loop.
-fn last_breath(atoms: &HashSet<LocalId>, body: &mut Block) -> Vec<Stmt> {
-    let is_held = |stmt: &&Stmt| fuse::may_go(stmt, atoms);
+fn last_breath(locals: &Locals, body: &mut Block) -> Vec<Stmt> {
+    let is_held = |stmt: &&Stmt| fuse::may_go(stmt, &|local| locals.is_atom(local));
     let count = body.0.iter().take_while(is_held).count();
     let (held, body) = body.0.split_at_mut(count);
     let Some((head, rest)) = body.split_first_mut() else { return Vec::new() };

@@ -3,14 +3,15 @@
 //! Must not know: how anything is lowered. Each form of the tree is lowered in a file of its own, as a method of
 //! [`Lowering`].
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::rc::Rc;
 
 use bessemer_ir::tree;
-use bessemer_ir::{Local, LocalId, Place, Span, Stmt, Type};
+use bessemer_ir::{LocalId, Place, Span, Stmt, Type};
 
 use super::Context;
 use super::borrowed::Lenders;
+use super::locals::Locals;
 use super::scopes::{Names, meanings_in};
 use super::value::Value;
 
@@ -23,7 +24,7 @@ pub(super) const RESULT: &str = "result";
 pub(super) struct Lowering<'a, 'c> {
     pub cx: &'a mut Context<'c>,
     pub source: &'a tree::Function,
-    pub locals: Vec<Local>,
+    pub locals: Locals,
     /// Scopes with the meaning of each name, innermost last. In a scope, later bindings shadow earlier ones.
     pub scopes: Vec<Names>,
     /// Statements of the current block so far.
@@ -31,18 +32,6 @@ pub(super) struct Lowering<'a, 'c> {
     /// First part of the names of temporaries.
     pub naming: String,
     pub result: Type,
-    /// Locals without a name of the author's, which are not written again.
-    pub held: HashSet<LocalId>,
-    /// Locals of `held` that [`fuse`](crate::fuse) may substitute.
-    pub atoms: HashSet<LocalId>,
-    /// Counters that only their loop changes, and parameters that nothing changes.
-    pub steady: HashSet<LocalId>,
-    /// Locals that the author may assign again, with rustc's types.
-    pub changing: HashMap<LocalId, tree::Ty>,
-    /// Locals that may remain unread: beginnings and lengths of slices, and names that only a guard uses.
-    pub unasked: Vec<LocalId>,
-    /// Locals that need an initial value in their declaration.
-    pub valued: HashSet<LocalId>,
     /// The lenders of the slices in locals.
     pub lenders: Lenders,
     /// Frames around the current code, outermost first.
@@ -118,18 +107,6 @@ impl<'a> Lowering<'a, '_> {
             Value::Closure(closure) => Some(*closure),
             _ => None,
         })
-    }
-
-    /// Removes all locals from `first` on, with everything recorded about them, since new locals reuse their handles.
-    pub(super) fn drop_locals(&mut self, first: usize) {
-        let stays = |local: &LocalId| local.index() < first;
-        self.locals.truncate(first);
-        self.unasked.retain(stays);
-        self.hands.retain(|_, hand| stays(&hand.local));
-        for known in [&mut self.held, &mut self.atoms, &mut self.steady, &mut self.valued] {
-            known.retain(stays);
-        }
-        self.changing.retain(|local, _| stays(local));
     }
 
     /// Registers a closure and returns its index.

@@ -41,6 +41,7 @@ mod lenders;
 mod lengths;
 mod literal;
 mod loans;
+mod locals;
 mod loops;
 mod lowering;
 mod mentions;
@@ -69,6 +70,7 @@ mod submatrix;
 mod syntax;
 #[cfg(test)]
 mod tests;
+mod typed;
 mod types;
 mod value;
 mod words;
@@ -149,7 +151,8 @@ pub fn typify(package: &Package, sources: &Sources, by_columns: bool) -> Outcome
     let mut joined = Vec::new();
     loop {
         let known = joined.len();
-        let cx = Context { by_columns, joined, ..Context::new(package, sources) };
+        let mut cx = Context { by_columns, ..Context::new(package, sources) };
+        cx.types.joined = joined;
         let (joins, typed) = typed_with(cx, package);
         if joins.len() == known {
             return typed;
@@ -163,7 +166,7 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::J
     for definition in &package.types {
         if let Err(problem) = cx.define(definition) {
             cx.tell(&definition.file, problem);
-            cx.undefined.insert(&definition.path);
+            cx.types.undefined.insert(&definition.path);
         }
     }
     for (index, table) in package.tables.iter().enumerate() {
@@ -180,7 +183,7 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::J
     let in_the_c =
         |it: &&tree::Function| it.tree.role != tree::Role::Expanded && !cx.lends_place(it);
     let functions = functions.into_iter().filter(in_the_c).collect::<Vec<_>>();
-    cx.waiting = functions.iter().map(|it| (it.path.as_str(), *it)).collect();
+    cx.calls.waiting = functions.iter().map(|it| (it.path.as_str(), *it)).collect();
     // Of other crates comes what is called, when it is called.
     for function in functions.into_iter().filter(|function| is_own(package, function)) {
         cx.function(&function.path);
@@ -195,7 +198,7 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::J
         (&one.file, one.line, one.column).cmp(&(&other.file, other.line, other.column))
     });
     let typed = if errors.is_empty() { Ok((cx.module, cx.typed)) } else { Err(errors) };
-    (cx.joined, typed)
+    (cx.types.joined, typed)
 }
 
 /// Refuses two constants with equal name, type and value but different C attributes, since the C has only one of
@@ -281,6 +284,61 @@ struct Known<'a> {
     unit: Option<bool>,
 }
 
+/// The types so far.
+#[derive(Default)]
+struct Types<'a> {
+    by_path: HashMap<String, Type>,
+    /// Zero-sized types, which the C does not have.
+    nothings: HashMap<String, zero_sized::Nothing>,
+    /// True if the C omits a type or a field.
+    leaves_out: bool,
+    /// Authors' types with an error that was reported.
+    undefined: HashSet<&'a str>,
+    /// Structs that represent standard types.
+    generics: HashMap<tree::Ty, Type>,
+    /// Facts about each type; `unknown` serves all others.
+    known: HashMap<Type, Known<'a>>,
+    unknown: Known<'a>,
+    /// Structs that represent slices in values.
+    borrowed: HashMap<StructId, borrowed::Borrowed>,
+    /// Pairs of slices in structs that have one lender.
+    joined: Vec<borrowed::Joined>,
+}
+
+/// The functions that can be called.
+#[derive(Default)]
+struct Calls<'a> {
+    /// Functions of the module, by path.
+    lowered: HashMap<String, FunctionId>,
+    /// All functions, by path.
+    all: HashMap<&'a str, &'a tree::Function>,
+    /// Functions that are lowered at their first use.
+    waiting: HashMap<&'a str, &'a tree::Function>,
+    /// Functions that are being lowered, each required by the one before.
+    underway: Vec<&'a str>,
+    /// For each function, true for the parameters that are zero-sized.
+    absent: HashMap<FunctionId, Vec<bool>>,
+    /// For each function, the lenders of the slices in its result, as places in its parameters.
+    given_back: HashMap<FunctionId, Vec<(borrowed::Path, bessemer_ir::Place)>>,
+    /// Paths of functions that return references and are inlined: a reference lowers to a place, never to a pointer.
+    lending: HashSet<&'a str>,
+    /// Callees without a name in the source.
+    unnamed: Vec<tree::Callee>,
+    /// The authors' `iter` methods.
+    own_iterators: Vec<&'a tree::Function>,
+}
+
+/// The authors' implementations of std's traits.
+#[derive(Default)]
+struct Implied<'a> {
+    /// Conversions between authors' types, and comparisons of two types.
+    between: Vec<&'a tree::Implied>,
+    /// Implementations of `Index`.
+    indexing: Vec<(Type, &'a tree::Implied)>,
+    /// Author-defined iterators, each with the callee number of its `next`.
+    iterators: Vec<(Type, u32)>,
+}
+
 /// The module so far, and the meaning of its names.
 struct Context<'a> {
     module: Module,
@@ -289,49 +347,13 @@ struct Context<'a> {
     package: &'a Package,
     sources: &'a Sources,
     files: HashMap<String, u32>,
-    types: HashMap<String, Type>,
-    /// Zero-sized types, which the C does not have.
-    nothings: HashMap<String, zero_sized::Nothing>,
-    /// True if the C omits a type or a field.
-    leaves_out: bool,
-    /// Authors' types with an error that was reported.
-    undefined: HashSet<&'a str>,
     /// Names that authors gave to generic instances, by path.
     aliases: HashMap<&'a str, &'a tree::Alias>,
     /// Names in snake case, below their module or type, that authors chose.
     authored: HashSet<String>,
-    /// Structs that represent standard types.
-    generics: HashMap<tree::Ty, Type>,
-    /// Facts about each type; `unknown` serves all others.
-    known: HashMap<Type, Known<'a>>,
-    unknown: Known<'a>,
-    /// Conversions between authors' types, and comparisons of two types.
-    between: Vec<&'a tree::Implied>,
-    /// Structs that represent slices in values.
-    borrowed: HashMap<StructId, borrowed::Borrowed>,
-    /// Pairs of slices in structs that have one lender.
-    joined: Vec<borrowed::Joined>,
-    /// For each function, true for the parameters that are zero-sized.
-    absent: HashMap<FunctionId, Vec<bool>>,
-    /// For each function, the lenders of the slices in its result, as places in its parameters.
-    given_back: HashMap<FunctionId, Vec<(borrowed::Path, bessemer_ir::Place)>>,
-    functions: HashMap<String, FunctionId>,
-    /// All functions, by path.
-    all: HashMap<&'a str, &'a tree::Function>,
-    /// The authors' `iter` methods.
-    own_iterators: Vec<&'a tree::Function>,
-    /// Paths of functions that return references and are inlined: a reference lowers to a place, never to a pointer.
-    lending: HashSet<&'a str>,
-    /// The authors' implementations of `Index`.
-    indexing: Vec<(Type, &'a tree::Implied)>,
-    /// Author-defined iterators, each with the callee number of its `next`.
-    iterators: Vec<(Type, u32)>,
-    /// Callees without a name in the source.
-    unnamed: Vec<tree::Callee>,
-    /// Functions that are lowered at their first use.
-    waiting: HashMap<&'a str, &'a tree::Function>,
-    /// Functions that are being lowered, each required by the one before.
-    underway: Vec<&'a str>,
+    types: Types<'a>,
+    calls: Calls<'a>,
+    implied: Implied<'a>,
     /// Errors so far.
     told: Vec<Diagnostic>,
     /// True if the builder found an error.
@@ -348,29 +370,15 @@ impl<'a> Context<'a> {
             package,
             sources,
             files: HashMap::new(),
-            types: HashMap::new(),
-            nothings: HashMap::new(),
-            leaves_out: false,
-            undefined: HashSet::new(),
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
             authored: authored(package),
-            generics: HashMap::new(),
-            known: HashMap::new(),
-            unknown: Known::default(),
-            between: Vec::new(),
-            borrowed: HashMap::new(),
-            joined: Vec::new(),
-            absent: HashMap::new(),
-            given_back: HashMap::new(),
-            functions: HashMap::new(),
-            all: package.functions.iter().map(|it| (it.path.as_str(), it)).collect(),
-            own_iterators: generator::own_iterators(package),
-            lending: HashSet::new(),
-            indexing: Vec::new(),
-            iterators: Vec::new(),
-            unnamed: Vec::new(),
-            waiting: HashMap::new(),
-            underway: Vec::new(),
+            types: Types::default(),
+            calls: Calls {
+                all: package.functions.iter().map(|it| (it.path.as_str(), it)).collect(),
+                own_iterators: generator::own_iterators(package),
+                ..Calls::default()
+            },
+            implied: Implied::default(),
             told: package.errors.iter().map(refusal).collect(),
             refused: !package.errors.is_empty(),
         }
@@ -378,7 +386,7 @@ impl<'a> Context<'a> {
 
     /// Returns the facts about a type.
     fn known(&self, ty: &Type) -> &Known<'a> {
-        self.known.get(ty).unwrap_or(&self.unknown)
+        self.types.known.get(ty).unwrap_or(&self.types.unknown)
     }
 
     /// Returns the facts about a struct.
@@ -388,7 +396,7 @@ impl<'a> Context<'a> {
 
     /// Returns the facts about a type, to add more.
     fn note(&mut self, ty: &Type) -> &mut Known<'a> {
-        self.known.entry(ty.clone()).or_default()
+        self.types.known.entry(ty.clone()).or_default()
     }
 
     /// Returns true if another function of the same owner has the same name.

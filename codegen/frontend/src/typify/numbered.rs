@@ -166,7 +166,7 @@ impl Lowering<'_, '_> {
             _ => words::NEXT,
         };
         let place = self.let_local(name, value);
-        self.held.insert(place.root);
+        self.locals.note_temporary(place.root);
         place
     }
 

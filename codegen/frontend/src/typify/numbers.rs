@@ -217,7 +217,7 @@ impl Lowering<'_, '_> {
     }
 
     /// Lowers the conversion of a number to its bytes, or of bytes to a number.
-    pub(super) fn bytes(&mut self, order: ByteOrder, call: Call<'_>) -> Result<Expr> {
+    pub(super) fn bytes_of_number(&mut self, order: ByteOrder, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         let (ty, span) = (self.slot_of(expr)?, self.span(expr.site));
         let byte = of(Int::U8);

@@ -15,7 +15,7 @@ impl Lowering<'_, '_> {
         use OptionMethod as M;
         match method {
             M::Unwrap | M::UnwrapErr => {
-                self.unwrap(method, call)?.or_refused(expr.site, refusals::STATEMENT)
+                self.payload_needed(method, call)?.or_refused(expr.site, refusals::STATEMENT)
             }
             M::Copied => self.value(&arguments[0], None),
             M::Take | M::Replace => self.exchanged(arguments, expr),
@@ -38,7 +38,11 @@ impl Lowering<'_, '_> {
     }
 
     /// Lowers `unwrap`: a check, then the payload; none if it is zero-sized.
-    pub(super) fn unwrap(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Option<Expr>> {
+    pub(super) fn payload_needed(
+        &mut self,
+        method: OptionMethod,
+        call: Call<'_>,
+    ) -> Result<Option<Expr>> {
         let Call { arguments, expr } = call;
         if method == OptionMethod::Unwrap
             && let Some(whole) = self.unwrapped_whole(&arguments[0])?

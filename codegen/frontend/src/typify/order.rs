@@ -7,59 +7,74 @@
 use std::cell::RefCell;
 use std::collections::HashSet;
 
-use bessemer_ir::visit::{Access, Walk};
+use bessemer_ir::visit::Walk;
 use bessemer_ir::{
     CompareOp, Expr, ExprKind, Fault, Form, Intrinsic, LocalId, Place, Routine, Scalar, Step, Stmt,
     StmtKind, Type,
 };
 
 use super::borrowed::Lenders;
-use super::lowering::Lowering;
-use super::value::Named;
+use super::lenders::Put;
+use super::lowering::{Lowering, local_since};
+use super::value::{Named, Value, indices};
 use super::{Result, words};
 use crate::fuse;
 use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
-    /// Removes and returns the statements since `mark`, so that others can be emitted before them.
-    pub(super) fn later(&mut self, mark: usize) -> Vec<Stmt> {
-        self.out.split_off(mark)
-    }
-
-    /// Returns the result of `lower` and the statements that it emits, without emitting them.
-    pub(super) fn apart<T>(
-        &mut self,
-        lower: impl FnOnce(&mut Self) -> Result<T>,
-    ) -> Result<(T, Vec<Stmt>)> {
-        let outer = std::mem::take(&mut self.out);
-        let done = lower(self);
-        let inner = std::mem::replace(&mut self.out, outer);
-        Ok((done?, inner))
-    }
-
     /// Substitutes the statements before a value into it, if [`fuse`](crate::fuse) leaves none of them. Later code also uses
-    /// `named`.
+    /// `named`: a name that is a copy denotes the place again, if nothing here writes it.
     pub(super) fn joined(
-        &self,
+        &mut self,
         value: Expr,
         stmts: Vec<Stmt>,
-        named: &[Named],
+        named: &mut [Named],
     ) -> (Expr, Vec<Stmt>) {
-        if stmts.is_empty() || !read_later(&self.lenders, &stmts, named).is_empty() {
+        let lent = read_later(&self.lenders, &stmts, &[]);
+        let mut later: Vec<LocalId> =
+            read_later(&self.lenders, &stmts, named).into_iter().collect();
+        later.sort();
+        // An index that leads to a place keeps its value.
+        let is_index = |local: LocalId| {
+            named.iter().any(|named| match &named.stands {
+                Value::Place(place) => indices(place).any(|it| effects::mentions(it, local)),
+                other => other.any_local(&|it| it == local),
+            })
+        };
+        let is_copy = |local: &LocalId| {
+            self.locals.is_copy(*local) && !lent.contains(local) && !is_index(*local)
+        };
+        let (copies, kept): (Vec<_>, Vec<_>) = later.iter().copied().partition(is_copy);
+        if stmts.is_empty() || copies.is_empty() && !kept.is_empty() {
             return (value, stmts);
         }
-        match fuse::alone(&self.cx.module, &self.locals, &self.atoms, &stmts, &value) {
-            Some(value) => (value, Vec::new()),
-            None => (value, stmts),
+        let made = |local| self.locals.is_atom(local) && !kept.contains(&local);
+        let before = fuse::Before { stmts: &stmts, value: &value, copies: &copies };
+        let Some(joined) = fuse::joined(&self.cx.module, &self.locals, &made, &before) else {
+            copies.into_iter().for_each(|copy| self.locals.note_temporary(copy));
+            return (value, stmts);
+        };
+        for (copy, place) in copies.into_iter().zip(joined.places) {
+            match place {
+                Some(place) => {
+                    let mut put = Put::new(copy, place);
+                    named.iter_mut().for_each(|named| put.value(&mut named.stands));
+                }
+                None => self.locals.note_temporary(copy),
+            }
         }
+        self.alias_names(named);
+        (joined.value, joined.stmts)
     }
 
     /// Substitutes the statements since `mark` into a place that is read and then written, if none is left. A place that calls
     /// is evaluated once.
     pub(super) fn joined_place(&mut self, mark: usize, place: Place) -> Place {
-        let other = self.out[mark..].iter().rposition(|stmt| !fuse::may_go(stmt, &self.atoms));
-        let stmts = self.later(other.map_or(mark, |at| mark + at + 1));
-        match self.joined(place.load(), stmts.clone(), &[]) {
+        let other = self.out[mark..]
+            .iter()
+            .rposition(|stmt| !fuse::may_go(stmt, &|it| self.locals.is_atom(it)));
+        let stmts = self.out.split_off(other.map_or(mark, |at| mark + at + 1));
+        match self.joined(place.load(), stmts.clone(), &mut []) {
             (Expr { kind: ExprKind::Load(joined), .. }, left)
                 if left.is_empty() && !effects::calls(&joined.load()) =>
             {
@@ -76,6 +91,21 @@ impl Lowering<'_, '_> {
     /// changed the value, [`fuse`](crate::fuse) substitutes it again.
     pub(super) fn atom(&mut self, role: &str, value: Expr) -> Expr {
         self.atomic(role, value).unwrap_or_else(|value| self.atom_place(role, value).load())
+    }
+
+    /// Returns an atom for a value as the meaning of a name.
+    pub(super) fn constant(&mut self, name: &str, value: Expr) -> Value {
+        match value.kind {
+            ExprKind::Load(place)
+                if place.steps.is_empty() && self.locals.is_constant_place(&place) =>
+            {
+                Value::Place(place)
+            }
+            _ if self.is_atom(&value) && !value.any_place(|_, _| true) => {
+                Value::Word(Box::new(value))
+            }
+            _ => Value::Place(self.atom_place(name, value)),
+        }
     }
 
     /// Returns the value if its form is needed and its parts can be atoms; otherwise the value as an error.
@@ -104,7 +134,7 @@ impl Lowering<'_, '_> {
         match &value.kind {
             ExprKind::Literal(_) | ExprKind::Const(_) => true,
             ExprKind::Load(place) => {
-                let once = self.atoms.contains(&place.root) || self.steady.contains(&place.root);
+                let once = self.locals.is_atom(place.root) || self.locals.is_counter(place.root);
                 place.steps.is_empty() && once
             }
             ExprKind::Struct(parts) | ExprKind::Array(parts) => {
@@ -117,14 +147,32 @@ impl Lowering<'_, '_> {
     /// Returns the place of a new local that holds a value and is assigned once.
     pub(super) fn atom_place(&mut self, role: &str, value: Expr) -> Place {
         let place = self.assigned(role, value);
-        self.atoms.insert(place.root);
+        self.locals.note_atom(place.root);
         place
     }
 
-    /// Makes a temporary the author's: it may be renamed and written. Returns true if it was a temporary.
-    pub(super) fn release(&mut self, local: LocalId) -> bool {
-        self.atoms.remove(&local);
-        self.held.remove(&local)
+    /// Emits the evaluation of a value that nothing reads, unless nobody can observe it.
+    pub(super) fn evaluated(&mut self, value: Expr) {
+        if !is_free(&value) {
+            let span = value.span;
+            self.emit(StmtKind::Expr(value), span);
+        }
+    }
+
+    /// Returns a place that keeps the value of a place.
+    pub(super) fn constant_place(&mut self, role: &str, place: Place) -> Place {
+        match self.locals.is_constant_place(&place) {
+            true => place,
+            false => self.atom_place(role, place.load()),
+        }
+    }
+
+    /// Returns a place that keeps the value of a place, under which a name of the author's denotes the value.
+    pub(super) fn copied_place(&mut self, role: &str, place: Place) -> Place {
+        let before = self.locals.len();
+        let kept = self.constant_place(role, place);
+        local_since(&kept, before).into_iter().for_each(|copy| self.locals.note_copy(copy));
+        kept
     }
 
     /// Evaluates and checks the indices of the last step to a place, as Rust does where the step is written. So no later
@@ -177,39 +225,6 @@ pub(super) fn read_later(lenders: &Lenders, stmts: &[Stmt], named: &[Named]) -> 
     found.into_inner()
 }
 
-/// Returns true if `later` neither changes `value` nor moves its faults.
-pub(super) fn is_settled(value: &Expr, later: &[Stmt]) -> bool {
-    if effects::calls(value) {
-        return false;
-    }
-    let fixed = match &value.kind {
-        ExprKind::Literal(_) | ExprKind::Const(_) => true,
-        ExprKind::Load(place) => place.steps.iter().all(is_fixed),
-        _ => false,
-    };
-    (fixed || later.iter().all(is_quiet))
-        && !later.iter().any(|stmt| writes_what_is_read(stmt, value))
-}
-
-/// Returns true if a statement only computes a value without effect or fault.
-fn is_quiet(stmt: &Stmt) -> bool {
-    match &stmt.kind {
-        StmtKind::Let { value, .. } => value.as_ref().is_none_or(is_free),
-        StmtKind::Expr(value) => is_free(value),
-        _ => false,
-    }
-}
-
-/// Returns true if a statement writes a local that an expression reads.
-fn writes_what_is_read(stmt: &Stmt, expr: &Expr) -> bool {
-    stmt.any_place(|place, access| access != Access::Read && effects::mentions(expr, place.root))
-}
-
-/// Returns true if an expression writes anything.
-pub(super) fn has_effect(expr: &Expr) -> bool {
-    !effects::lent(expr).is_empty()
-}
-
 /// Returns true if a value may be evaluated earlier or later: it writes nothing, and cannot fault. A call may do
 /// either.
 pub(super) fn is_free(expr: &Expr) -> bool {
@@ -229,11 +244,6 @@ fn is_quiet_but_for(expr: &Expr, allowed: impl Fn(&Place) -> bool) -> bool {
         };
         !quiet
     })
-}
-
-/// Returns the indices that lead to a place.
-pub(super) fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
-    place.steps.iter().flat_map(Step::indices)
 }
 
 /// Returns true if a value may be read more than once: it is a literal, or a place with fields only.

@@ -46,7 +46,7 @@ impl Test {
 
     /// Returns the conjunction of two tests. Conditions have no effects, so a constant false replaces the whole.
     #[must_use]
-    pub(super) fn and(mut self, other: Test) -> Test {
+    pub(super) fn with(mut self, other: Test) -> Test {
         self.names.extend(other.names);
         let fails = |it: &Expr| it.kind == ExprKind::Literal(0);
         self.condition = match (self.condition, other.condition) {
@@ -119,7 +119,7 @@ impl Lowering<'_, '_> {
     ) -> Result<Test> {
         let mut all = Test::default();
         for (pattern, part) in parts {
-            all = all.and(self.test(pattern, &part, site)?);
+            all = all.with(self.test(pattern, &part, site)?);
         }
         Ok(all)
     }
@@ -139,7 +139,7 @@ impl Lowering<'_, '_> {
             if let Some(number) = number {
                 let number = self.value(number, Some(&place.ty))?;
                 let test = Expr::compare(op, place.load(), number).at(place.span);
-                all = all.and(Test::of(Some(test)));
+                all = all.with(Test::of(Some(test)));
             }
         }
         Ok(all)
@@ -163,7 +163,7 @@ impl Lowering<'_, '_> {
                 let test = Test::named(name, *slot, Value::Place(place.clone()), site);
                 let test = test.changeable(*mutable);
                 match inner {
-                    Some(inner) => Ok(test.and(self.test_place(inner, place, site)?)),
+                    Some(inner) => Ok(test.with(self.test_place(inner, place, site)?)),
                     None => Ok(test),
                 }
             }
@@ -181,7 +181,7 @@ impl Lowering<'_, '_> {
                         self.test_all(parts, site)?
                     }
                 };
-                Ok(Test::of(tag).and(inner))
+                Ok(Test::of(tag).with(inner))
             }
             (Pattern::Value(value), Type::Struct(id)) => match self.unit_word(value, *id) {
                 Some(word) => Ok(Test::of(Some(self.tag_is(place, *id, word)))),
@@ -412,11 +412,7 @@ impl Lowering<'_, '_> {
 
     /// Returns true if nothing can write to a place: it is behind `&`, or in a local that the author has no name for.
     pub(super) fn is_lasting(&self, place: &Place) -> bool {
-        let local = &self.locals[place.root.index()];
-        let stays = local.mode == Mode::Ref
-            || self.held.contains(&place.root)
-            || place.steps.is_empty() && self.steady.contains(&place.root);
-        stays && !self.cx.holds_iterator(&place.ty)
+        self.locals.lasts(place) && !self.cx.holds_iterator(&place.ty)
     }
 }
 

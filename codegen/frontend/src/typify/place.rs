@@ -71,7 +71,7 @@ impl Lowering<'_, '_> {
                 if let Some(slice) = self.slice(base)? {
                     return self.slice_element(&slice, index, span).map(Some);
                 }
-                if !self.cx.indexing.is_empty()
+                if !self.cx.implied.indexing.is_empty()
                     && let Ok(owner) = self.place_type(base)
                     && let Some(place) = self.own_element(&owner, [base, index], expr.site)?
                 {
@@ -205,10 +205,11 @@ impl Lowering<'_, '_> {
 
     /// Returns the type of a place that is to be assigned, without evaluating its indices.
     pub(super) fn place_type(&mut self, expr: &tree::Expr) -> Result<Type> {
-        if self.is_submatrix(expr) {
-            return self.type_alone(expr);
+        if let Some(Value::Submatrix(part)) = self.meaning(expr) {
+            return Ok(part.ty());
         }
         match &expr.kind {
+            tree::ExprKind::Call(..) if self.is_submatrix(expr) => self.slot_of(expr),
             tree::ExprKind::Local(name) => Ok(self.named(name, expr.site)?.ty),
             tree::ExprKind::Ref(_, inner) => self.place_type(inner),
             tree::ExprKind::Deref(inner) => {
@@ -311,7 +312,7 @@ impl Lowering<'_, '_> {
         }
         let mut place = place.or_refused(site, refusals::NAMED_REFERENCE)?;
         let moves = !exclusive && (self.is_loan(&place) || value.is_some_and(is_held));
-        if moves && !self.is_lasting(&place) {
+        if moves {
             // A reference that a value holds is a copy there; the value may get another.
             place = self.hold_copy(name, place);
         }

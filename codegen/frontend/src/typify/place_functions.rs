@@ -8,7 +8,7 @@
 
 use bessemer_ir::tree::visit::{self, VisitMut, Walk};
 use bessemer_ir::tree::{self, ExprKind as Tree, Site, Ty};
-use bessemer_ir::{Expr, ExprKind, Place, Type};
+use bessemer_ir::{Expr, Place, Type};
 
 use super::call::Called;
 use super::closure_args::UNTIL_NAMED;
@@ -67,9 +67,9 @@ impl<'a> Context<'a> {
     /// Records an author's implementation of `Index`.
     pub(super) fn note_indexing(&mut self, it: &'a tree::Implied) {
         if let Ty::Named(path) = &it.owner
-            && let Some(owner) = self.types.get(path)
+            && let Some(owner) = self.types.by_path.get(path)
         {
-            self.indexing.push((owner.clone(), it));
+            self.implied.indexing.push((owner.clone(), it));
         }
     }
 
@@ -95,14 +95,14 @@ impl<'a> Context<'a> {
                 };
                 self.tell(&function.file, problem);
             } else if stands {
-                self.lending.insert(&function.path);
+                self.calls.lending.insert(&function.path);
             }
         }
     }
 
     /// Returns true if a function is inlined because it returns a reference.
     pub(super) fn lends_place(&self, function: &tree::Function) -> bool {
-        self.lending.contains(function.path.as_str())
+        self.calls.lending.contains(function.path.as_str())
     }
 
     fn is_place(&self, function: &tree::Function, expr: &tree::Expr) -> bool {
@@ -113,7 +113,7 @@ impl<'a> Context<'a> {
             }
             Tree::Call(callee, _) => match function.callees.get(*callee as usize) {
                 Some(tree::Callee::Function(path)) => {
-                    self.all.get(path.as_str()).copied().and_then(lends).is_some()
+                    self.calls.all.get(path.as_str()).copied().and_then(lends).is_some()
                 }
                 // `self.last.as_mut().unwrap()`.
                 _ => lends(function) == Some(true),
@@ -191,14 +191,14 @@ impl<'a> Lowering<'a, '_> {
         index: &tree::Expr,
         site: Site,
     ) -> Result<Option<&'a tree::Function>> {
-        let all = self.cx.indexing.iter().filter(|(of, _)| of == owner);
+        let all = self.cx.implied.indexing.iter().filter(|(of, _)| of == owner);
         let all: Vec<_> = all.map(|(_, it)| *it).collect();
         let several = all.iter().any(|it| it.other != all[0].other);
         let mut found = [None, None];
         for it in all {
             if !several || self.is_of(index, &it.other)? {
                 let known = &mut found[usize::from(it.of == "IndexMut")];
-                *known = known.or(self.cx.all.get(it.function.as_str()).copied());
+                *known = known.or(self.cx.calls.all.get(it.function.as_str()).copied());
             }
         }
         match found {
@@ -217,7 +217,7 @@ impl<'a> Lowering<'a, '_> {
                 Ok(matches!(ty, Ty::Tuple(types) if types.len() == parts.len()))
             }
             (Tree::Int(_, None), ty) => Ok(matches!(ty, Ty::Scalar(bessemer_ir::Scalar::Int(_)))),
-            _ => Ok(self.cx.pointee(ty, index.site)? == self.type_alone(index)?),
+            _ => Ok(self.cx.pointee(ty, index.site)? == self.type_of_value(index)?),
         }
     }
 
@@ -257,7 +257,7 @@ impl<'a> Lowering<'a, '_> {
                 return Ok(Value::Submatrix(Box::new(part)));
             }
             if let Some(mut place) = self.place(argument)? {
-                if !written && self.is_loan(&place) && !self.is_lasting(&place) {
+                if !written && self.is_loan(&place) {
                     place = self.hold_copy(name, place);
                 }
                 return Ok(Value::Place(place));
@@ -270,33 +270,18 @@ impl<'a> Lowering<'a, '_> {
         let lowered = self.cx.value_type(ty, argument.site)?;
         let value = self.value(argument, Some(&lowered))?;
         let mutable = mutable || self.cx.holds_iterator(&lowered);
-        match value.kind {
-            _ if mutable || !(self.is_steady(&value) || is_constant(&value)) => {
-                Ok(self.own(name, value, mutable.then_some(ty)))
-            }
-            ExprKind::Load(place) => Ok(Value::Place(place)),
-            _ => Ok(Value::Word(Box::new(value))),
-        }
+        Ok(self.own(name, value, mutable.then_some(ty)))
     }
 
     /// Declares a local with this value. With `changing`, rustc's type, it may be written.
     pub(super) fn own(&mut self, name: &str, value: Expr, changing: Option<&Ty>) -> Value {
-        Value::Place(self.naming_as("", |inner| match changing {
+        self.naming_as("", |inner| match changing {
             Some(ty) => {
                 let place = inner.mutable_place(name, value);
-                inner.changing.insert(place.root, ty.clone());
-                place
+                inner.locals.note_assigned(place.root, ty.clone());
+                Value::Place(place)
             }
-            None => inner.atom_place(name, value),
-        }))
-    }
-}
-
-/// Returns true if a value consists of literals and constants.
-fn is_constant(value: &Expr) -> bool {
-    match &value.kind {
-        ExprKind::Literal(_) | ExprKind::Const(_) => true,
-        ExprKind::Struct(parts) | ExprKind::Array(parts) => parts.iter().all(is_constant),
-        _ => false,
+            None => inner.constant(name, value),
+        })
     }
 }

@@ -9,6 +9,7 @@ use bessemer_ir::tree::{self, ExprKind as Tree, Site, Source, Stmt, Ty};
 use bessemer_ir::{CompareOp, Expr, Fault, Int, Mode, Scalar, Type};
 
 use super::Result;
+use super::closure_args::is_hidden;
 use super::lowering::{Closure, Lowering};
 use super::scopes::Names;
 use super::syntax::{bare, generates, is_named, is_of_library};
@@ -19,13 +20,13 @@ const SIZE: Ty = Ty::Scalar(Scalar::Int(Int::Usize));
 
 impl<'a> Lowering<'a, '_> {
     /// Evaluates whatever a later loop would copy when Rust creates the iterator.
-    pub(super) fn settle_items(&mut self, through: &mut tree::Expr) -> Result<()> {
+    pub(super) fn create_items(&mut self, through: &mut tree::Expr) -> Result<()> {
         match &mut through.kind {
             Tree::Block(block) | Tree::Labelled(_, block) => {
                 let stmts = std::mem::take(&mut block.stmts);
                 for mut stmt in stmts {
                     if let Stmt::Expr(part) = &mut stmt {
-                        self.settle_items(part)?;
+                        self.create_items(part)?;
                         block.stmts.push(stmt);
                         continue;
                     }
@@ -33,16 +34,16 @@ impl<'a> Lowering<'a, '_> {
                     self.stmts(&tree::Block { stmts: vec![stmt], tail: None })?;
                 }
             }
-            Tree::Each { source, .. } => self.settle_source(source)?,
+            Tree::Each { source, .. } => self.create_source(source)?,
             _ => {}
         }
         Ok(())
     }
 
-    pub(super) fn settle_source(&mut self, source: &mut Source) -> Result<()> {
+    pub(super) fn create_source(&mut self, source: &mut Source) -> Result<()> {
         match source {
             Source::Elements(array, owned) => {
-                self.settle_elements(array, *owned)?;
+                self.create_elements(array, *owned)?;
                 if let Some(meant) = self.meant(source) {
                     *source = meant;
                 }
@@ -50,33 +51,33 @@ impl<'a> Lowering<'a, '_> {
             }
             Source::Numbers(range) => {
                 let ty = self.source.slots.get(range.slot as usize).cloned().unwrap_or(SIZE);
-                self.settle_number(&mut range.from, "start%", &ty)?;
-                range.to.iter_mut().try_for_each(|to| self.settle_number(to, "end%", &ty))
+                self.create_number(&mut range.from, "start%", &ty)?;
+                range.to.iter_mut().try_for_each(|to| self.create_number(to, "end%", &ty))
             }
             Source::Groups(_, array, size) => {
-                self.settle_elements(array, false)?;
-                self.settle_size(size, "size%")
+                self.create_elements(array, false)?;
+                self.create_size(size, "size%")
             }
             Source::Zip(one, other, _) | Source::Chain(one, other) => {
-                self.settle_source(one)?;
-                self.settle_source(other)
+                self.create_source(one)?;
+                self.create_source(other)
             }
-            Source::Enumerate(of) | Source::Rev(of) | Source::Cycle(of) => self.settle_source(of),
+            Source::Enumerate(of) | Source::Rev(of) | Source::Cycle(of) => self.create_source(of),
             Source::Skip(of, count) | Source::Take(of, count) => {
-                self.settle_source(of)?;
-                self.settle_number(count, "count%", &SIZE)
+                self.create_source(of)?;
+                self.create_number(count, "count%", &SIZE)
             }
             Source::StepBy(of, size) => {
-                self.settle_source(of)?;
+                self.create_source(of)?;
                 let role = if matches!(**of, Source::Numbers(_)) { "step%" } else { "size%" };
-                self.settle_size(size, role)
+                self.create_size(size, role)
             }
         }
     }
 
     /// Evaluates a size or a step, and checks that it is not zero, as std does when it creates the iterator.
-    fn settle_size(&mut self, size: &mut tree::Expr, name: &str) -> Result<()> {
-        self.settle_number(size, name, &SIZE)?;
+    fn create_size(&mut self, size: &mut tree::Expr, name: &str) -> Result<()> {
+        self.create_number(size, name, &SIZE)?;
         let value = self.value(size, Some(&Type::USIZE))?;
         if self.known(&value).is_none() {
             let (span, zero) = (value.span, Expr::usize(0, value.span));
@@ -85,32 +86,27 @@ impl<'a> Lowering<'a, '_> {
         Ok(())
     }
 
-    fn settle_number(&mut self, number: &mut tree::Expr, name: &str, ty: &Ty) -> Result<()> {
-        let stays = match &number.kind {
-            Tree::Int(..) => true,
-            Tree::Local(name) => match self.lookup(name, number.site)? {
-                Value::Local(local) => !self.changing.contains_key(&local),
-                _ => true,
-            },
-            _ => false,
-        };
-        if stays {
-            return Ok(());
+    fn create_number(&mut self, number: &mut tree::Expr, name: &str, ty: &Ty) -> Result<()> {
+        match &number.kind {
+            Tree::Int(..) => return Ok(()),
+            // No author writes it, and its name says what it is.
+            Tree::Local(name) if is_hidden(name) => return Ok(()),
+            _ => {}
         }
         let given = self.given((name, false), ty, number)?;
         self.stand_in(number, name, given);
         Ok(())
     }
 
-    fn settle_elements(&mut self, elements: &mut tree::Expr, owned: bool) -> Result<()> {
+    fn create_elements(&mut self, elements: &mut tree::Expr, owned: bool) -> Result<()> {
         if let Some((function, _)) = self.expansion(elements).filter(|(it, _)| generates(it)) {
             let Tree::Call(_, arguments) = &mut elements.kind else { return Ok(()) };
             for (param, argument) in function.tree.params.iter().zip(arguments) {
                 if param.items {
                     let owned = !matches!(argument.kind, Tree::Ref(..));
                     match &mut argument.kind {
-                        Tree::Closure(closure) => self.settle_items(&mut closure.body)?,
-                        _ => self.settle_elements(argument, owned)?,
+                        Tree::Closure(closure) => self.create_items(&mut closure.body)?,
+                        _ => self.create_elements(argument, owned)?,
                     }
                 } else if !param.closure {
                     let (_, given) = self.given_as(function, param, argument)?;
@@ -145,10 +141,14 @@ impl<'a> Lowering<'a, '_> {
         }
         // What a slice that is held has is borrowed, and the slice itself is copied.
         let held = self.is_held_slice(elements);
+        let is_variable = |name: &str| match self.lookup(name, Site::default()) {
+            Ok(Value::Local(root)) => self.locals[root.index()].mode == Mode::Value,
+            _ => false,
+        };
         match &mut elements.kind {
             _ if held => {}
             // What is borrowed.
-            Tree::Local(name) if !owned || !self.is_changeable(name) => return Ok(()),
+            Tree::Local(name) if !owned || !is_variable(name) => return Ok(()),
             _ => {}
         }
         let borrowed = match &elements.kind {
@@ -163,7 +163,11 @@ impl<'a> Lowering<'a, '_> {
             Some(slice) => Value::Slice(Box::new(self.kept_elements(slice))),
             None => {
                 let place = self.base(elements)?;
-                match (owned || self.is_loan(&place)) && !self.held.contains(&place.root) {
+                let variable = matches!(elements.kind, Tree::Local(_));
+                match owned || self.is_loan(&place) {
+                    true if variable => {
+                        Value::Place(self.naming_as("", |it| it.copied_place("items%", place)))
+                    }
                     true => self.own("items%", place.load(), None),
                     false => Value::Place(place),
                 }
@@ -191,7 +195,7 @@ impl<'a> Lowering<'a, '_> {
             let stmts = before.iter().filter(|it| !is_assert(it)).cloned().collect();
             inner.stmts(&tree::Block { stmts, tail: None })?;
             let mut each = each.clone();
-            inner.settle_items(&mut each)?;
+            inner.create_items(&mut each)?;
             let (name, parameters, body) = (None, Vec::new(), Box::new(each));
             Ok(Some(inner.written_here(tree::Closure { name, parameters, body })))
         })
@@ -220,7 +224,7 @@ impl<'a> Lowering<'a, '_> {
     /// Returns true if an expression names a variable that holds a slice, since another slice may be assigned to it.
     fn is_held_slice(&mut self, expr: &tree::Expr) -> bool {
         let named = bare(expr);
-        !self.cx.borrowed.is_empty()
+        !self.cx.types.borrowed.is_empty()
             && is_named(named, false)
             && self.place_type(named).is_ok_and(|ty| self.cx.as_borrowed(&ty).is_some())
     }
@@ -231,12 +235,6 @@ impl<'a> Lowering<'a, '_> {
             return Ok(false);
         }
         Ok(!self.place(elements)?.is_some_and(|place| self.is_loan(&place)))
-    }
-
-    /// Returns true if a name denotes a value that may be written.
-    fn is_changeable(&self, name: &str) -> bool {
-        let Ok(Value::Local(root)) = self.lookup(name, Site::default()) else { return false };
-        self.locals[root.index()].mode == Mode::Value && self.changing.contains_key(&root)
     }
 
     /// Replaces an expression by a new unique name for `given`.

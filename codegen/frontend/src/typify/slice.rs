@@ -153,7 +153,7 @@ impl Lowering<'_, '_> {
                 meaning => self.place_of(&meaning, span),
             },
             tree::ExprKind::Field(..) | tree::ExprKind::Index(..) => {
-                let is_slice = !self.cx.borrowed.is_empty()
+                let is_slice = !self.cx.types.borrowed.is_empty()
                     && self.place_type(expr).is_ok_and(|ty| self.cx.as_borrowed(&ty).is_some());
                 if is_slice { Some(self.base(expr)?) } else { None }
             }
@@ -224,10 +224,7 @@ impl Lowering<'_, '_> {
     /// Returns true if nothing writes the place that a value is read from.
     pub(super) fn is_steady(&self, value: &Expr) -> bool {
         match &value.kind {
-            ExprKind::Load(place) => {
-                let known = self.steady.contains(&place.root) || self.held.contains(&place.root);
-                place.steps.is_empty() && known
-            }
+            ExprKind::Load(place) => place.steps.is_empty() && self.locals.lasts(place),
             _ => value.is_literal(),
         }
     }
@@ -345,7 +342,7 @@ impl Lowering<'_, '_> {
             true => equal(self)?,
             false => {
                 let as_long = compared(CompareOp::Eq, &one.length, &other.length, span);
-                self.and_then(as_long, &mut Vec::new(), |inner, _| equal(inner))?
+                self.logic_and(as_long, &mut Vec::new(), |inner, _| equal(inner))?
             }
         };
         Ok(Some(if op == Op::Ne { equal.negated() } else { equal }))

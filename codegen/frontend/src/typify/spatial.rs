@@ -116,7 +116,7 @@ impl Lowering<'_, '_> {
     pub(super) fn in_coords(&mut self, expr: &tree::Expr) -> Result<bool> {
         match &expr.kind {
             tree::ExprKind::Field(base, name) if name == "coords" => {
-                let ty = self.type_alone(base)?;
+                let ty = self.type_of_value(base)?;
                 Ok(self.cx.known(&ty).unit.is_some())
             }
             tree::ExprKind::Field(base, _)
@@ -133,7 +133,7 @@ impl Lowering<'_, '_> {
         let all = |opposite: bool| {
             let parts = (0..4).map(|part| {
                 let [one, mut other] =
-                    pair.map(|it| self.part(it, id, part)).sides.map(|it| it.load());
+                    pair.parts(|it| self.part(it, id, part)).sides.map(|it| it.load());
                 if opposite {
                     other = Expr::unary(UnaryOp::Neg, other).at(span);
                 }

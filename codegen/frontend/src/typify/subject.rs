@@ -6,14 +6,11 @@
 //! Must not know: how patterns test it ([`pattern`](super::pattern)).
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern};
-use bessemer_ir::{Expr, LocalId, Place, StmtKind, Type};
+use bessemer_ir::{Expr, Place, Type};
 
-use super::lenders::Put;
-use super::lowering::{Lowering, UNNAMED, local_since};
-use super::rewrite::is_pure;
+use super::lowering::{Lowering, local_since};
 use super::value::Value;
 use super::{Result, words};
-use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
     /// Lowers the subject of a `match` or a `let`, evaluated once.
@@ -25,7 +22,10 @@ impl Lowering<'_, '_> {
             let mut subjects: Vec<Value> = Vec::new();
             for (at, part) in parts.iter().enumerate() {
                 let subject = self.subject(part)?;
-                subjects.push(self.part_held(subject, part, &parts[at + 1..]));
+                subjects.push(match at + 1 < parts.len() {
+                    true => self.part_held(subject, part),
+                    false => subject,
+                });
             }
             return Ok(Value::Tuple(subjects, None));
         }
@@ -65,9 +65,10 @@ impl Lowering<'_, '_> {
     /// Renames the temporary that holds a subject, if its handle is at least `before`.
     pub(super) fn name_held(&mut self, subject: &Value, before: usize, name: &str) {
         if let Value::Place(place) = subject
-            && let Some(local) = local_since(place, before).filter(|it| self.held.contains(it))
+            && let Some(local) =
+                local_since(place, before).filter(|it| self.locals.is_temporary(*it))
         {
-            self.atoms.remove(&local);
+            self.locals.note_named(local);
             self.locals[local.index()].name = name.to_owned();
         }
     }
@@ -81,19 +82,11 @@ impl Lowering<'_, '_> {
         Value::Place(self.hold(value))
     }
 
-    /// Holds the parts of a subject that are no references, if `later` expressions may write; a reference remains an
-    /// alias.
-    pub(super) fn part_held<'e>(
-        &mut self,
-        mut subject: Value,
-        expr: &tree::Expr,
-        later: impl IntoIterator<Item = &'e tree::Expr>,
-    ) -> Value {
-        if !later.into_iter().all(is_pure) {
-            self.value_parts((&mut subject, expr), &mut |inner, place| {
-                *place = inner.atom_place(words::SELECTOR, place.load());
-            });
-        }
+    /// Holds the parts of a subject that are no references; a reference remains an alias.
+    pub(super) fn part_held(&mut self, mut subject: Value, expr: &tree::Expr) -> Value {
+        self.value_parts((&mut subject, expr), &mut |inner, place| {
+            *place = inner.copied_place(words::SELECTOR, place.clone());
+        });
         subject
     }
 
@@ -130,41 +123,6 @@ impl Lowering<'_, '_> {
             _ => matches!(self.seen_as(expr), Some(tree::Ty::Ref(..))),
         }
     }
-}
-
-/// Local that represents a place until it is known if the place is read or copied.
-///
-/// A guard or a further condition may write the place later. All placeholders are replaced, so nothing is lowered
-/// twice.
-pub(super) struct Placeholder {
-    local: LocalId,
-    pub place: Place,
-}
-
-impl Placeholder {
-    pub(super) fn of(lowering: &mut Lowering, place: Place) -> Placeholder {
-        let local = lowering.local(UNNAMED, place.ty.clone(), place.span);
-        lowering.held.insert(local);
-        lowering.follow(&StmtKind::Let { local, value: Some(place.load()) });
-        Placeholder { local, place }
-    }
-
-    /// Returns the place that is the placeholder itself.
-    pub(super) fn stands(&self) -> Place {
-        Place::local(self.local, self.place.ty.clone(), self.place.span)
-    }
-
-    /// Replaces the placeholder by a place.
-    pub(super) fn replaced(self, lowering: &mut Lowering, place: Place) -> Put {
-        lowering.held.remove(&self.local);
-        lowering.locals[self.local.index()].ty = Type::BOOL;
-        Put::new(self.local, place)
-    }
-}
-
-/// Returns true if a place overlaps one of the written places.
-pub(super) fn is_among(place: &Place, written: &[Place]) -> bool {
-    written.iter().any(|written| effects::overlap(place, written))
 }
 
 /// Returns the only name of `Some(name)`, or the name of the whole, if it is immutable.

@@ -115,7 +115,7 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn submatrix_value(&mut self, part: &Submatrix, site: Site) -> Result<Expr> {
         if part.is_large() {
             let copy = self.part_copied("part", part, site)?;
-            self.held.insert(copy.root);
+            self.locals.note_temporary(copy.root);
             return Ok(copy.load());
         }
         let span = self.span(site);

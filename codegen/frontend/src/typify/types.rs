@@ -107,7 +107,7 @@ impl<'a> Context<'a> {
             DefinitionKind::Struct { fields, .. } => differ(fields),
             DefinitionKind::Enum(variants) => variants.iter().any(|it| differ(&it.fields)),
         };
-        let (path, order) = (definition.path.as_str(), self.types.len());
+        let (path, order) = (definition.path.as_str(), self.types.by_path.len());
         let known = self.note(&ty);
         known.home = Some(Home { order, module: home, span });
         known.unequal = !definition.equal || may_differ;
@@ -120,7 +120,7 @@ impl<'a> Context<'a> {
             _ => None,
         };
         known.unit = super::spatial::quaternion(path);
-        self.types.insert(definition.path.clone(), ty);
+        self.types.by_path.insert(definition.path.clone(), ty);
         Ok(())
     }
 
@@ -180,8 +180,8 @@ impl<'a> Context<'a> {
 
     /// Returns the name of the type at a path.
     pub(super) fn item_name<'p>(&'p self, path: &'p str) -> &'p str {
-        let named = self.types.get(path).and_then(|ty| self.name_of(ty));
-        let nothing = || self.nothings.get(path).map(|it| it.name.as_str());
+        let named = self.types.by_path.get(path).and_then(|ty| self.name_of(ty));
+        let nothing = || self.types.nothings.get(path).map(|it| it.name.as_str());
         named.or_else(nothing).unwrap_or(split(path).1)
     }
 
@@ -224,9 +224,11 @@ impl<'a> Context<'a> {
             Ty::Matrix(element, rows, cols) => {
                 Type::Matrix { element: *element, rows: *rows, cols: *cols }
             }
-            Ty::Named(path) => match self.types.get(path) {
+            Ty::Named(path) => match self.types.by_path.get(path) {
                 Some(ty) => ty.clone(),
-                None if self.undefined.contains(path.as_str()) => return problem(site, "", ""),
+                None if self.types.undefined.contains(path.as_str()) => {
+                    return problem(site, "", "");
+                }
                 None => {
                     return problem(site, format!("`{path}` was not built"), "mark it `#[data]`");
                 }

@@ -78,6 +78,11 @@ impl Value {
     }
 }
 
+/// Returns the indices that lead to a place.
+pub(super) fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
+    place.steps.iter().flat_map(Step::indices)
+}
+
 /// Returns the step to an element of an array by its index. A matrix with several rows and columns is indexed by its
 /// columns.
 pub(super) fn step_to(whole: &Type, index: Expr, span: Span) -> Step {

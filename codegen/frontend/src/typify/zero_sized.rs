@@ -30,16 +30,16 @@ impl Context<'_> {
             return refused(site, refusals::EMPTY_NAME);
         }
         let (module, unequal) = (definition.module.clone(), !definition.equal);
-        self.nothings.insert(definition.path.clone(), Nothing { name, module, unequal });
-        self.leaves_out = true;
-        self.types.insert(definition.path.clone(), Type::Unit);
+        self.types.nothings.insert(definition.path.clone(), Nothing { name, module, unequal });
+        self.types.leaves_out = true;
+        self.types.by_path.insert(definition.path.clone(), Type::Unit);
         Ok(())
     }
 
     /// Returns the author's zero-sized type that a type is.
     pub(super) fn nothing_of(&self, ty: &Ty) -> Option<&Nothing> {
         match ty {
-            Ty::Named(path) => self.nothings.get(path),
+            Ty::Named(path) => self.types.nothings.get(path),
             _ => None,
         }
     }
@@ -62,7 +62,7 @@ impl Context<'_> {
             (field.name.clone(), kept.then(|| next.next().unwrap_or_default()))
         });
         known.fields = places.collect();
-        self.leaves_out = true;
+        self.types.leaves_out = true;
     }
 
     /// Returns the index of the field with a name, or with the number of a part. None if a zero-sized field is absent
@@ -84,7 +84,7 @@ impl Context<'_> {
 
     /// Returns true if an argument, by its index among the author's, is zero-sized.
     pub(super) fn is_absent(&self, id: FunctionId, index: usize) -> bool {
-        let absent = self.absent.get(&id).and_then(|absent| absent.get(index));
+        let absent = self.calls.absent.get(&id).and_then(|absent| absent.get(index));
         absent.copied().unwrap_or_default()
     }
 
@@ -92,7 +92,7 @@ impl Context<'_> {
     pub(super) fn is_nothing(&self, ty: &Ty) -> bool {
         match ty {
             Ty::Unit => true,
-            Ty::Named(path) => self.nothings.contains_key(path),
+            Ty::Named(path) => self.types.nothings.contains_key(path),
             Ty::Ref(inner, _) | Ty::Known(_, inner) => self.is_nothing(inner),
             _ => false,
         }
@@ -115,7 +115,7 @@ impl Lowering<'_, '_> {
             Tree::Ref(_, inner) | Tree::Deref(inner) => self.holds_nothing(inner),
             Tree::Tuple(parts) if parts.is_empty() => true,
             Tree::Field(base, name) => {
-                if !self.cx.leaves_out {
+                if !self.cx.types.leaves_out {
                     return false;
                 }
                 self.holds_nothing(base)
@@ -158,7 +158,7 @@ impl Lowering<'_, '_> {
     /// Binds the names of a pattern to a zero-sized value, which every pattern matches.
     pub(super) fn take_nothing(pattern: &Pattern, site: Site) -> Test {
         let named = |name: &String| Test::named(name, NO_SLOT, Value::Nothing, site);
-        pattern.bound().iter().map(named).fold(Test::default(), Test::and)
+        pattern.bound().iter().map(named).fold(Test::default(), Test::with)
     }
 
     /// Refuses a local of a zero-sized type that was not removed.

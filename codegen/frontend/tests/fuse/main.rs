@@ -8,7 +8,7 @@ mod hold;
 use bessemer_backend::validate::validate;
 use bessemer_frontend::fuse::fuse;
 use bessemer_interpret::{Interpreter, Stop};
-use bessemer_ir::{Fault, FunctionId, LocalId, Mode, Module, Span, Type, text};
+use bessemer_ir::{Fault, FunctionId, Mode, Module, Span, Type, text};
 use generate::Random;
 
 /// The body of the last function, its locals whose names begin with `t` put back where nothing tells.
@@ -17,8 +17,8 @@ fn fused(source: &str) -> String {
     assert_eq!(validate(&module), Ok(()), "{source}");
     let mut function = module.functions.pop().expect("a function");
     let of_ours = |at: &usize| function.locals[*at].name.starts_with('t');
-    let made = (0..function.locals.len()).filter(of_ours).map(|at| LocalId(at as u32)).collect();
-    fuse(&module, &mut function, &made);
+    let made: Vec<bool> = (0..function.locals.len()).map(|at| of_ours(&at)).collect();
+    fuse(&module, &mut function, &|local| made[local.index()]);
     module.functions.push(function);
     assert_eq!(validate(&module), Ok(()), "{source}");
     let printed = text::print(&module);
@@ -454,7 +454,7 @@ fn compare(seed: u64, shuffled: bool, count: &mut Count) {
             hold::shuffle(&mut function, &made, &mut || random.chance(50));
         }
         held.functions[at] = function.clone();
-        fuse(&plain, &mut function, &made);
+        fuse(&plain, &mut function, &|local| made.contains(&local));
         count.functions += 1;
         count.held += made.len();
         count.left += function.locals.len() - item.locals.len();
