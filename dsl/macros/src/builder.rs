@@ -445,7 +445,11 @@ pub fn build_bounds(subject: &Subject<'_>, scope: Scope<'_>) -> TokenStream {
         }
         Home::Interface(_) => scope.own().bounds(types().chain([this()])),
         Home::Implementation(_) | Home::OfRust(_) => {
-            let types = scope.own().values();
+            let within = match subject.home {
+                Home::Implementation(path) => Some(scope.outer().values_within(path)),
+                _ => None,
+            };
+            let types = scope.own().values().chain(within.into_iter().flatten());
             // What borrows is one for its longest lifetime alone, which only those who call know to be meant.
             let owns = scope.lifetimes().next().is_none();
             scope.own().bounds(types.chain(owns.then(this)))

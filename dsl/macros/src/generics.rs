@@ -158,18 +158,43 @@ impl<'a> Scope<'a> {
 
     /// Returns the bounds that a generation build adds to the types' own.
     pub fn values(self) -> impl Iterator<Item = TokenStream> {
-        self.types()
-            .flat_map(move |name| {
-                let both = self.outer.into_iter().chain(self.own);
-                let bounds: Vec<_> = both.flat_map(|generics| bounds_of(generics, name)).collect();
-                let wanted = bounds.iter().filter_map(|bound| conversion(bound));
-                let wanted = wanted.flat_map(|(of, other)| of.predicates(&quote! { #name }, other));
-                let numeric = bounds.iter().flat_map(|bound| numeric::companions(bound));
-                let numeric = numeric.map(|path| quote! { #name: #path });
-                let more: Vec<_> = wanted.chain(numeric).collect();
-                std::iter::once(self.value(name)).chain(more)
-            })
-            .chain(self.conversions())
+        self.types().flat_map(move |name| self.values_of(name)).chain(self.conversions())
+    }
+
+    /// Returns the bounds of [`Scope::values`] that an implementation of `interface` must have as a whole.
+    pub fn values_beside(self, interface: &syn::Path) -> impl Iterator<Item = TokenStream> {
+        let beside = self.types().filter(move |name| !self.is_passed_on(name, interface));
+        beside.flat_map(move |name| self.values_of(name)).chain(self.conversions())
+    }
+
+    /// Returns the other bounds of [`Scope::values`]: the hidden items of the interface require them of its parameters, so
+    /// functions that call its methods do not need them.
+    pub fn values_within(self, interface: &syn::Path) -> impl Iterator<Item = TokenStream> {
+        let within = self.types().filter(move |name| self.is_passed_on(name, interface));
+        within.flat_map(move |name| self.values_of(name))
+    }
+
+    /// Returns true if a type is an argument of an interface as it is, and its bounds imply only what all types have.
+    fn is_passed_on(self, name: &syn::Ident, interface: &syn::Path) -> bool {
+        let arguments = interface.segments.last().map(|last| &last.arguments);
+        let Some(syn::PathArguments::AngleBracketed(list)) = arguments else { return false };
+        let is_this = |it: &syn::GenericArgument| matches!(it, syn::GenericArgument::Type(syn::Type::Path(it)) if it.path.is_ident(name));
+        let both = self.outer.into_iter().chain(self.own);
+        let mut bounds = both.flat_map(|generics| bounds_of(generics, name));
+        list.args.iter().any(is_this)
+            && !self.is_real(name)
+            && bounds.all(|bound| conversion(bound).is_none())
+    }
+
+    fn values_of(self, name: &syn::Ident) -> impl Iterator<Item = TokenStream> + use<> {
+        let both = self.outer.into_iter().chain(self.own);
+        let bounds: Vec<_> = both.flat_map(|generics| bounds_of(generics, name)).collect();
+        let wanted = bounds.iter().filter_map(|bound| conversion(bound));
+        let wanted = wanted.flat_map(|(of, other)| of.predicates(&quote! { #name }, other));
+        let numeric = bounds.iter().flat_map(|bound| numeric::companions(bound));
+        let numeric = numeric.map(|path| quote! { #name: #path });
+        let more: Vec<_> = wanted.chain(numeric).collect();
+        std::iter::once(self.value(name)).chain(more)
     }
 
     /// Returns the bounds for conversions to types that are no parameters, `Radians: From<T>`.

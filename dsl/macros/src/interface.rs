@@ -216,7 +216,7 @@ pub fn implementation(
         refusals.add(&path, reason);
         return (it.into_token_stream(), TokenStream::new());
     }
-    if operators::is_composed(&it.self_ty) {
+    if matches!(*it.self_ty, syn::Type::Reference(_)) {
         refusals.add(&it.self_ty, refuse::FOREIGN_IMPLEMENTATION);
         return (it.into_token_stream(), TokenStream::new());
     }
@@ -261,7 +261,7 @@ pub fn implementation(
             quote! { const _: () = { #registered }; }
         }));
     } else if lower::generating() {
-        let values = scope.values().map(|it| syn::parse_quote!(#it));
+        let values = scope.values_beside(&path).map(|it| syn::parse_quote!(#it));
         let values: Vec<syn::WherePredicate> = values.collect();
         it.generics.make_where_clause().predicates.extend(values);
     }

@@ -100,6 +100,22 @@ impl<T: Integer> T {
         (product, hidden || product.wrapping_div(a) != b)
     }
 
+    /// `a * b + carry` in twice the width: the low and the high half.
+    pub fn carrying_mul(a: Self, b: Self, carry: Self) -> (Self, Self) {
+        let half = T::BITS / 2;
+        let mask = T::MAX.wrapping_shr(half);
+        let (lower, upper) = (a & mask, a.wrapping_shr(half));
+        let (below, above) = (b & mask, b.wrapping_shr(half));
+        let least = lower.wrapping_mul(below);
+        let first = upper.wrapping_mul(below).wrapping_add(least.wrapping_shr(half));
+        let second = lower.wrapping_mul(above).wrapping_add(first & mask);
+        let high = upper.wrapping_mul(above).wrapping_add(first.wrapping_shr(half));
+        let high = high.wrapping_add(second.wrapping_shr(half));
+        let low = second.wrapping_shl(half) | (least & mask);
+        let sum = low.wrapping_add(carry);
+        (sum, if sum < low { high.wrapping_add(T::ONE) } else { high })
+    }
+
     /// `-a` wrapped to the type's width, and whether the result overflowed.
     pub fn overflowing_neg(a: Self) -> (Self, bool) {
         let negative = T::ZERO.wrapping_sub(a);

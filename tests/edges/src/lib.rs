@@ -198,6 +198,8 @@ macro_rules! unsigned {
                 saturating_add_signed(a: $t, b: $signed) -> $t { a.saturating_add_signed(b) }
                 wrapping_add_signed(a: $t, b: $signed) -> $t { a.wrapping_add_signed(b) }
                 is_power_of_two(a: $t) -> bool { a.is_power_of_two() }
+                low_product(a: $t, b: $t) -> $t { a.carrying_mul(b, a ^ b).0 }
+                high_product(a: $t, b: $t) -> $t { a.carrying_mul(b, b).1 }
             }
         }
     )*};

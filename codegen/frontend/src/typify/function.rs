@@ -52,7 +52,8 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Low
     // The methods of what is no type of the author's in the C say in their names whose they are.
     let nameless = source.owner.as_ref().and_then(|path| lowering.cx.types.nothings.get(path));
     let nameless = nameless.map(|it| names::snake(&it.name));
-    let name = match nameless.as_deref().or(number_of(source)) {
+    let of_rust = type_of_rust(source).map(names::joined);
+    let name = match nameless.or(of_rust) {
         Some(owner) => format!("{owner}_{name}"),
         None => name,
     };
@@ -98,9 +99,10 @@ pub(super) fn slice_of(ty: &Ty) -> Option<&Ty> {
     }
 }
 
-/// Returns the primitive type on which a function is implemented, such as `f64`; it is not an author's type.
-fn number_of(source: &tree::Function) -> Option<&str> {
-    let is_one = |path: &&str| path.starts_with(char::is_lowercase) && !path.contains("::");
+/// Returns the type of Rust on which a function is implemented, such as `f64` or `[f64; 3]`; it is not an author's type.
+fn type_of_rust(source: &tree::Function) -> Option<&str> {
+    let is_number = |path: &str| path.starts_with(char::is_lowercase) && !path.contains("::");
+    let is_one = |path: &&str| is_number(path) || path.starts_with(['[', '(']);
     source.owner.as_deref().filter(is_one)
 }
 
@@ -113,7 +115,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
     pub(super) fn new(cx: &'a mut Context<'c>, source: &'a tree::Function) -> Result<Self> {
         let site = source.tree.site;
         if let Some(path) = &source.owner
-            && number_of(source).is_none()
+            && type_of_rust(source).is_none()
             && !cx.types.by_path.contains_key(path)
         {
             let remedy = match path.contains("::") {

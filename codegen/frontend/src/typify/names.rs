@@ -4,6 +4,13 @@ use bessemer_ir::{Scalar, Type, tree};
 
 use super::Context;
 
+/// Returns the words of a type of Rust as part of a name: `f64_3` for `[f64; 3]`.
+pub(super) fn joined(ty: &str) -> String {
+    let words: Vec<&str> =
+        ty.split(|it: char| !it.is_alphanumeric()).filter(|it| !it.is_empty()).collect();
+    snake(&words.join("_"))
+}
+
 /// Converts `RateMatrix` to `rate_matrix`.
 pub(super) fn snake(name: &str) -> String {
     let mut snake = String::new();

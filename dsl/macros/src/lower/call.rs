@@ -39,7 +39,7 @@ impl Lowering {
         }
         let reason = match name.is_some_and(|name| self.is_local(&name)) {
             // A closure or a function pointer was refused where it came from.
-            true => self.refusals.is_empty().then_some(refuse::FUNCTION_VALUE),
+            true => self.refusals.is_empty().then_some(refuse::NO_FUNCTION),
             false => self.redirected(function),
         };
         if let Some(reason) = reason {

@@ -133,7 +133,9 @@ reasons! {
     DISCRIMINANT: "an enum with payloads cannot number its variants", "remove the numbers; where a protocol fixes them, `match` on the value";
     UNION: "C cannot check the type of a union's bytes", "use a struct, and `to_bits`/`from_bits` for the bits of a float";
     STRING: "`str` is not supported", "use an enum for a choice; write `*b\"abc\"` for bytes, or `Text::of(b\"abc\")` for a `Text<8>`";
-    WIDE_INTEGER: "C99 has no 128-bit integer", "use `u64` or `i64`";
+    WIDE_INTEGER: "C99 has no 128-bit integer", "use `u64` or `i64`; the product of two words of 64 bits is `a.carrying_mul(b, 0)`, its low and its high word";
+    SUFFIX: "this literal has an unknown suffix", "write a product with `*`, `2.0 * x`; the types of numbers are `f64`, `u8` and the like: `2_u8`";
+    NO_FUNCTION: "this variable is no function", "write `v[0]` for an element; take a function as `law: impl Fn(f64) -> f64`";
     FUNCTION_VALUE: "a function cannot be stored as a value", "call the function by its name; exchange an implementation through an `#[interface]`, or an `enum` with a `match`";
     FUNCTION_POINTER: "a function pointer hides the callee from the stack analysis", "choose with an `enum` and a `match`";
     RECURSION: "a recursive function has no bound on its stack", "write a loop over a range";
