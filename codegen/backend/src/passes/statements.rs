@@ -359,7 +359,7 @@ impl Lowering<'_> {
             Fault::Absent => "the value is not known to be there",
             Fault::Capacity => "the container is not known to have room",
             Fault::Bound => "the loop is not known to end within its bound",
-            _ => "it is not known to hold",
+            _ => "the condition is not known to hold",
         };
         self.remain(fault, span, reason.to_string());
         self.emit(StmtKind::Check { condition, fault }, span);

@@ -33,6 +33,8 @@ impl Lowering<'_, '_> {
             return Ok(());
         }
         if let Some(bound) = bound {
+            // What the loop cannot do is the cause, as of an iterator without a mark.
+            self.each_stmt(Each { bound: None, ..each })?;
             return refused(bound.site, refusals::SHOWN_BOUND);
         }
         if let Some(source) = &self.meant(source) {

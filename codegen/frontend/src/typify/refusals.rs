@@ -85,7 +85,7 @@ reasons! {
     COMPARED_BY_ACCESS: "the number of items that this comparison takes depends on the version of Rust, and a closure of an iterator writes or may fault", "compare in a loop: `for (x, y) in values.zip(others)`";
     LAST_CHUNK: "`last` calls the closure of `chunk_by` from the end on, and the closure writes or may fault", "keep the last part in a loop: `for part in values.chunk_by(…)`";
     TAKEN_BY_LENGTH: "the number of items that this call consumes differs between versions of Rust", "limit them first, `it.by_ref().take(n)`; or iterate over both in a `for`";
-    OWN_ITER: "a loop cannot iterate over this type", "write `for i in 0..n`, and index; or add a method with another name than `iter`, `fn items(&self) -> impl Iterator<Item = &T>`; if the type is an iterator, mark its `impl Iterator` block `#[data]`";
+    OWN_ITER: "a loop cannot iterate over this type", "if the type is an iterator, mark its `impl Iterator` block `#[data]`; otherwise write `for i in 0..n`, and index, or add a method with another name than `iter`, `fn items(&self) -> impl Iterator<Item = &T>`";
     GONE_THROUGH: "a loop cannot iterate over this type", "write `for i in 0..n`, and index; loops accept arrays, slices, lists, vectors, ranges and iterators";
     EMPTY_GROUPS: "the size for `chunks`, `windows` or `step_by` must not be zero", "write a number above 0";
     ENDLESS: "this iterator never ends", "write both ends of a range, `0..n`; or write `.zip(…)` first, and the other adapters after it";

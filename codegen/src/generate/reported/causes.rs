@@ -68,7 +68,20 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
                     && line(other.0) == line(one.0)
                     && position(other) == position(one)
             });
-        kept[index] &= !(within || elsewhere || refused_before || said_better || given || known);
+        // A name that is not there is missing wherever the item uses it.
+        let missing_before = one.0.code == "E0425"
+            && others().any(|(_, (other, _))| {
+                title(other) == title(one)
+                    && position(other) < position(one)
+                    && around(other, sources) == around(one, sources)
+            });
+        kept[index] &= !(within
+            || elsewhere
+            || refused_before
+            || said_better
+            || given
+            || known
+            || missing_before);
     }
     let mut seen = BTreeMap::new();
     let mut reported: Vec<Worded<'m, 'a>> = Vec::new();
@@ -95,6 +108,11 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
 /// Returns true if an error is reported once for its file. rustc's order of these is unstable; the topmost is reported.
 fn is_of_file((_, words): &Worded<'_, '_>) -> bool {
     words.as_ref().is_some_and(|words| matches!(words.once, Once::File))
+}
+
+/// Returns file and first line of the item around a message.
+fn around<'a>((message, _): &Worded<'_, 'a>, sources: &Sources) -> Option<(&'a str, u32)> {
+    message.mark().map(|mark| (mark.file, Item::around(mark, sources).first))
 }
 
 fn position((message, _): &Worded<'_, '_>) -> Option<(u32, u32)> {
@@ -260,7 +278,15 @@ impl Causes {
                 let lost =
                     matches!(message.code, "E0261" | "E0425" | "E0433") && mark_of_macro(message);
                 let unresolved = matches!(message.code, "E0432" | "E0433") && named(&self.names);
-                self.refused.contains(&place)
+                let line = |it: &(String, u32, u32)| (it.0.clone(), it.1);
+                let declared = message.marked_below().any(|it| {
+                    self.refused.iter().any(|at| line(at) == (it.file.to_owned(), it.start.0))
+                });
+                // The argument of a function whose parameter is refused.
+                let unsized_one = message.title.starts_with("the size for values of type");
+                declared && message.code == "E0308"
+                    || self.files.contains(&file) && unsized_one
+                    || self.refused.contains(&place)
                     || (self.files.contains(&file)
                         && (lost || unresolved || named(&self.names) && message.code == "E0432"))
             }

@@ -1,17 +1,31 @@
 //! Remedies for rustc's errors about plain Rust, where rustc's own help does not fit a model, or is missing.
 
-use super::rustc::Message;
-use super::types;
+use super::rustc::{Mark, Message};
+use super::{habits, remedies, types};
 
 /// Returns a remedy; none if rustc's is better.
 pub fn of(message: &Message<'_>) -> Option<String> {
     let (title, quoted) = (message.title, message.quoted());
-    let marked = message.mark().map(super::rustc::Mark::text).unwrap_or_default();
+    let marked = message.mark().map(Mark::text).unwrap_or_default();
+    let habit = habits::of(message);
+    if habit.is_some() {
+        return habit;
+    }
     let help = match message.code {
         "E0277" if title.ends_with("is not supported") => {
             message.below().find(|it| it.starts_with("write "))?.to_owned()
         }
         "E0277" if title.starts_with("cannot ") => operands(&quoted)?,
+        "E0277" if title.contains("f64: Eq`") || title.contains("f32: Eq`") => {
+            "remove `Eq`: a float is not equal to itself if it is NaN, so it has `PartialEq` alone".to_owned()
+        }
+        "E0277" if title.starts_with("the trait bound") && title.contains(": From<") => converted(&from_bound(title)?)?,
+        "E0277" if title.ends_with("size` is not an iterator") => {
+            "write a range: `for i in 0..values.len()`".to_owned()
+        }
+        "E0282" | "E0283" if matches!(&*marked, "sum" | "product") => {
+            format!("name the type of the result: `.{marked}::<f64>()`")
+        }
         "E0277" if title.contains("f64: Ord") || title.contains("f32: Ord") => match &*marked {
             "max" => "floats have no greatest with NaN among them: `.fold(f64::NEG_INFINITY, |a, b| a.max(b))`",
             "min" => "floats have no least with NaN among them: `.fold(f64::INFINITY, |a, b| a.min(b))`",
@@ -19,6 +33,12 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         }
         .to_owned(),
         "E0308" => converted(message.mark()?.label).or_else(|| mismatched(message.mark()?))?,
+        "E0061" if matches!(&*marked, "round" | "floor" | "ceil" | "trunc") => {
+            format!("write `(100.0 * x).{marked}() / 100.0` for two digits")
+        }
+        "E0061" if matches!(&*marked, "min" | "max") => {
+            format!("write it once for each: `a.{marked}(b).{marked}(c)`")
+        }
         "E0599" if quoted.first() == Some(&"clone") && title.contains("struct") => COPY.to_owned(),
         "E0277" if title.ends_with(": Copy` is not satisfied") => COPY.to_owned(),
         "E0382" if message.rendered.contains("consider restricting type parameter")
@@ -57,11 +77,15 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         "E0369" if title.contains("f64 << ") || title.contains("f32 << ") => {
             "multiply by a power of two: `2.0 * x`".to_owned()
         }
+        "E0609" if quoted.first() == Some(&"T") => "write `m.transpose()`".to_owned(),
         "E0609" if quoted.get(1).is_some_and(|it| it.contains("Vector<") || it.contains("Matrix<")) => {
             "index the element: `v[3]`, `m[(row, column)]`; a vector has as many of `x`, `y`, `z` and `w` as components".to_owned()
         }
         "E0608" if message.mark()?.before().ends_with(']') => {
             "write `m[(row, column)]`, with indices from 0".to_owned()
+        }
+        "E0608" if title.ends_with("type `()`") => {
+            "this value is the result of a call that changes its variable in place: write the call alone, and use the variable after it".to_owned()
         }
         "E0277" if title.contains("Range<f") && message.rendered.contains("introduced by this call") => {
             ENDS.to_owned()
@@ -82,6 +106,9 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         }
         "E0369" if title.contains("f64 ^") || title.contains("f32 ^") => POWER.to_owned(),
         "E0614" if marked.starts_with('*') && message.mark()?.before().ends_with("* ") => POWER.to_owned(),
+        "E0614" if matches!(quoted.first(), Some(&("f64" | "f32"))) && !marked.starts_with("**") && !marked.starts_with("* ") => {
+            "remove the `*`: the number is no reference".to_owned()
+        }
         "E0614" if marked.starts_with("**") || marked.starts_with("* ") => POWER.to_owned(),
         "E0369" => operator(message, &quoted)?,
         "E0605" => {
@@ -90,8 +117,20 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         }
         "E0425" => match *quoted.first()? {
             "M_PI" | "PI" | "pi" => "write `core::f64::consts::PI`".to_owned(),
+            _ if title.starts_with("cannot find type") && !has_remedy(message) => {
+                "declare it here, or import it by `use`; the blocks of the library are in the crate `bessemer_blocks`".to_owned()
+            }
             _ => return None,
         },
+        "E0432" | "E0433" if message.rendered.contains("unlinked crate") && quoted.last() == Some(&"nalgebra") => {
+            "the prelude has nalgebra's types, `Vector3::new(…)`; others are in `bessemer::nalgebra`".to_owned()
+        }
+        "E0432"
+            if remedies::is_known_crate(quoted.first()?)
+                && !message.rendered.contains("a similar path exists") =>
+        {
+            remedies::of_crate(quoted.first()?).to_owned()
+        }
         "E0433" => match *quoted.first()? {
             "rand" | "fastrand" | "getrandom" => {
                 "pass random values to the entry point as an argument".to_owned()
@@ -104,6 +143,17 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         }
         "E0599" if quoted.first() == Some(&"norm") && title.contains("Complex") => {
             "write `z.abs()`, or `bessemer::complex::norm(&z)`".to_owned()
+        }
+        "E0599" if title.contains("<{integer}") => {
+            "write the numbers with a point: `Vector3::new(1.0, 2.0, 3.0)`".to_owned()
+        }
+        "E0599" if quoted.first() == Some(&"eye") => "write `identity()`".to_owned(),
+        "E0599" if quoted.first() == Some(&"append") => "write `list.push(x)`".to_owned(),
+        "E0599" if quoted.first() == Some(&"push") && title.contains("array") => {
+            "an array has a fixed number of elements: write `values[i] = x`, or declare a `List<f64, 4>`".to_owned()
+        }
+        "E0599" if title.ends_with("]` is not an iterator") => {
+            format!("iterate over the elements: `values.iter().{marked}()`, of a sum also its type, `.sum::<f64>()`")
         }
         "E0599" if quoted.get(1).is_some_and(|it| matches!(*it, "f64" | "f32")) => match *quoted.first()? {
             "pow" => POWER.to_owned(),
@@ -141,7 +191,7 @@ fn has_parameter(message: &Message<'_>) -> bool {
 }
 
 /// Returns the remedy for a value of another kind than required, judging by rustc's label.
-fn mismatched(mark: &super::rustc::Mark<'_>) -> Option<String> {
+fn mismatched(mark: &Mark<'_>) -> Option<String> {
     let (wanted, found) = mark.label.strip_prefix("expected ")?.split_once(", found ")?;
     let is_float = |it: &str| matches!(it, "`f64`" | "`f32`");
     let is_integer = |it: &str| it == "integer" || it.starts_with("`i") || it.starts_with("`u");
@@ -150,7 +200,29 @@ fn mismatched(mark: &super::rustc::Mark<'_>) -> Option<String> {
         () if wanted == "`bool`" && is_float(found) => "compare the number: `x > 0.0`",
         () if wanted == "`bool`" && is_integer(found) => "compare the number: `x != 0`",
         () if is_float(wanted) && found == "integer" => {
-            "write the numbers with a point: `1.0 / 100.0`"
+            let text = mark.text();
+            return Some(match text.chars().all(|it| it.is_ascii_digit()) {
+                true => format!("write the number with a point: `{text}.0`"),
+                false => "write the numbers with a point: `1.0 / 100.0`".to_owned(),
+            });
+        }
+        () if wanted == "`Ordering`" && found == "`bool`" => {
+            "compare by `total_cmp`: `|a, b| a.total_cmp(b)`"
+        }
+        () if wanted.starts_with("`&") && found == "floating-point number" => {
+            "dereference the other side, `**x > 0.0`, or destructure the parameter: `|&&x| x > 0.0`"
+        }
+        () if is_float(wanted) && found.starts_with("`Matrix<") => {
+            "of two vectors write `a.dot(&b)`; an element is `v[0]` or `m[(row, column)]`"
+        }
+        () if wanted.starts_with("`[") && !wanted.contains(';') && found.contains("; ") => {
+            "copy the elements: `target[0..2].copy_from_slice(&source)`"
+        }
+        () if wanted.starts_with("`[u8; ") && found == "`[u8]`" => {
+            "write its elements, `[bytes[0], bytes[1], bytes[2], bytes[3]]`; or `bytes.first_chunk::<4>()`, which returns an `Option`"
+        }
+        () if found == "`()`" && wanted != "`bool`" && mark.text().contains(" = ") => {
+            "an assignment has no value: write each by itself"
         }
         () if wanted.starts_with("type parameter") && found == "floating-point number" => {
             "write `real(0.5)`, the literal of a type `T: Real`"
@@ -164,6 +236,17 @@ fn mismatched(mark: &super::rustc::Mark<'_>) -> Option<String> {
         () => return None,
     };
     Some(remedy.to_owned())
+}
+
+/// Returns rustc's label for a conversion that `From` does not have, from a title such as `u8: From<f64>`.
+fn from_bound(title: &str) -> Option<String> {
+    let (to, from) = title.split('`').nth(1)?.split_once(": From<")?;
+    Some(format!("expected `{to}`, found `{}`", from.trim_end_matches('>')))
+}
+
+/// Returns true if rustc suggests a replacement.
+fn has_remedy(message: &Message<'_>) -> bool {
+    message.rendered.contains("help:")
 }
 
 /// Returns the remedy for a number of another type than expected.

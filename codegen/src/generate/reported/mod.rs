@@ -2,7 +2,7 @@
 //!
 //! A generation build compiles more than the author's code: a witness copy of each function, and the builders of the
 //! tree. An error in the model repeats there, with names that no author has seen. Each message of rustc is parsed
-//! ([`rustc`]), reworded if it is about the DSL ([`wording`]), or gets a suitable remedy ([`hints`]), with types as
+//! ([`rustc`]), reworded if it is about the DSL ([`wording`], [`unsupported`]), or gets a suitable remedy ([`hints`], [`habits`]), with types as
 //! authors write them ([`types`]). It is dropped if another message reports its cause ([`causes`]). An unsupported
 //! type is reported where its author names it ([`place`]).
 //!
@@ -10,12 +10,14 @@
 
 mod causes;
 mod foreign;
+mod habits;
 mod hints;
 mod origins;
 mod place;
 mod remedies;
 mod rustc;
 mod types;
+mod unsupported;
 mod wording;
 
 use serde_json::Value;
@@ -30,7 +32,10 @@ use wording::Words;
 pub fn reported(messages: &[Value], sources: &Sources) -> Vec<Diagnostic> {
     let all: Vec<Message<'_>> = messages.iter().filter_map(Message::of).collect();
     let origins = Origins::of(messages, sources);
-    let words = |message| foreign::of(message, &origins).or_else(|| wording::of(message));
+    let words = |message| {
+        let foreign = foreign::of(message, &origins);
+        foreign.or_else(|| unsupported::of(message, sources)).or_else(|| wording::of(message))
+    };
     let worded = all.iter().map(|message| (message, words(message))).collect();
     let reported = causes::once(worded, sources);
     reported.into_iter().map(|(message, words)| diagnostic(message, words, sources)).collect()
@@ -56,7 +61,8 @@ fn diagnostic(message: &Message<'_>, words: Option<Words>, sources: &Sources) ->
         };
     }
     let help = hints::of(message);
-    if help.is_none() && !message.shows_internals() {
+    let is_readable = types::shown(message.title) == message.title && !message.shows_internals();
+    if help.is_none() && is_readable {
         let rustc = Some(Box::new(message.value.clone()));
         return Diagnostic { message: message.title.to_owned(), rustc, ..place };
     }

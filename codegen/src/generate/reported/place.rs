@@ -6,8 +6,8 @@ use super::rustc::Mark;
 use bessemer_frontend::diagnostic::{Diagnostic, Place};
 use bessemer_frontend::source::Sources;
 
-/// Moves a diagnostic about the type `name` from `mark` to the name. A declaration in the same file is added as a
-/// second place.
+/// Moves a diagnostic about the type `name` from `mark` to the name, and if it is not named there, to its declaration. A
+/// declaration in the same file is added as a second place.
 pub fn of_type(reported: Diagnostic, name: &str, mark: &Mark<'_>, sources: &Sources) -> Diagnostic {
     let lines = match mark.is_attribute() {
         true => Item::below(mark, sources).lines(),
@@ -25,6 +25,8 @@ pub fn of_type(reported: Diagnostic, name: &str, mark: &Mark<'_>, sources: &Sour
         if text.trim_start().starts_with("impl") && mark.line.contains("component") {
             reported.help = reported.help.replace("`#[data]`", "`#[component]`");
         }
+    } else if let Some(Place { start: (line, column), end, .. }) = declared {
+        return Diagnostic { line, column, end: Some(end), ..reported };
     }
     reported.also.extend(declared.filter(|it| it.start.0 != reported.line));
     reported
@@ -41,6 +43,17 @@ fn declaration(name: &str, file: &str, sources: &Sources) -> Option<Place> {
     let start = column(&text, name)?;
     let end = (line, start + name.chars().count() as u32);
     Some(Place { start: (line, start), end, label: "declared here".to_owned(), ..Place::default() })
+}
+
+/// Returns true if a file declares a struct or an enum with this name, without an attribute of the DSL.
+pub fn is_unmarked(name: &str, file: &str, sources: &Sources) -> bool {
+    let Some(declared) = declaration(name, file, sources) else { return false };
+    let above = (1..declared.start.0).rev().map_while(|line| sources.line(file, line));
+    let mut attributes = above.take_while(|text| text.trim_start().starts_with(['#', '/']));
+    !attributes.any(|text| {
+        let mut words = text.split(|it: char| !it.is_alphanumeric() && it != '_');
+        text.trim_start().starts_with("#[") && words.any(|it| it == "data" || it == "component")
+    })
 }
 
 /// Returns the column of a whole word in a line, from 1.

@@ -111,4 +111,9 @@ pub fn of_crate(name: &str) -> &'static str {
     }
 }
 
+/// Returns true if [`of_crate`] has a remedy for this crate alone.
+pub fn is_known_crate(name: &str) -> bool {
+    of_crate(name) != of_crate("")
+}
+
 const ANGLES: &str = "nalgebra calls the platform's sine and cosine here: call the function of `bessemer::rotation`, `from_euler_angles(roll, pitch, yaw)`, `from_axis_angle(&axis, angle)`, `from_scaled_axis(v)`, `matrix_from_euler_angles(…)` and the like";

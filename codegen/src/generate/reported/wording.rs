@@ -41,8 +41,8 @@ pub fn of(message: &Message<'_>) -> Option<Words> {
     if !message.is_error {
         return None;
     }
-    const EACH: [fn(&Message<'_>) -> Option<Words>; 12] = [
-        refused, attribute, unmarked, initial, order, function, pattern, interface, ty, builders,
+    const EACH: [fn(&Message<'_>) -> Option<Words>; 11] = [
+        refused, attribute, unmarked, initial, order, function, pattern, interface, builders,
         dimensions, global,
     ];
     EACH.iter().find_map(|it| it(message)).or_else(|| unnamed(message))
@@ -90,49 +90,6 @@ fn interface(message: &Message<'_>) -> Option<Words> {
         _ => return None,
     };
     words(format!("the trait `{of}` is not part of the DSL"), "mark the trait `#[interface]`")
-}
-
-/// Rewords an unsupported type.
-fn ty(message: &Message<'_>) -> Option<Words> {
-    let is_ours = message.title.ends_with("is not a type of the DSL")
-        || message.title.ends_with("is not a type that a model can hold");
-    if !is_ours {
-        return None;
-    }
-    let full = *message.quoted().first()?;
-    let inner = types::innermost(full);
-    let name = types::name(inner);
-    let declared = message.marked_below().find(|it| it.is_authors());
-    let iterator = types::iterator(inner).filter(|_| declared.is_none());
-    let help = match (types::instead(inner).or(iterator), &declared) {
-        (Some(help), _) => help.to_owned(),
-        (None, Some(mark)) if mark.line.contains('!') && !is_declaration(mark) => format!(
-            "`{}` declares it, and an item of a macro cannot be marked: declare `#[data] struct {name}(u16);` with methods that shift and mask, or a struct of the fields",
-            made_by(mark)
-        ),
-        (None, Some(_)) => format!("mark `{name}` `#[data]`"),
-        _ if full.starts_with("{closure") || full.contains(" {") || full.starts_with("fn(") => {
-            "call it, or pass it to a function that takes `impl Fn(f64) -> f64`".to_owned()
-        }
-        _ => "the DSL has scalars, arrays, nalgebra's `SMatrix` and `SVector`, and types marked `#[data]` or `#[component]`".to_owned(),
-    };
-    let written = types::written(inner);
-    let shown = if declared.is_some() { name } else { types::within_modules(&written) };
-    let mut reported = words(format!("`{shown}` is not a type of the DSL"), help)?;
-    reported.of_type = Some(name.to_owned());
-    Some(reported)
-}
-
-/// Returns true if a marked line begins a struct or an enum of the author's, not a macro that makes one.
-fn is_declaration(mark: &Mark<'_>) -> bool {
-    let mut words = mark.line.split(|it: char| !it.is_alphanumeric() && it != '_');
-    words.any(|it| ["struct", "enum", "union"].contains(&it)) && !mark.line.contains('!')
-}
-
-/// Returns the macro in a marked line.
-fn made_by<'a>(mark: &'a Mark<'_>) -> &'a str {
-    let end = mark.line.find('!').map_or(mark.line.len(), |at| at + 1);
-    mark.line[..end].trim()
 }
 
 /// Rewords matrices of different dimensions.

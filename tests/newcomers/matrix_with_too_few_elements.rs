@@ -1,0 +1,18 @@
+//! A matrix of two rows.
+use bessemer::prelude::*;
+
+#[component]
+#[derive(Default)]
+pub struct MatrixWithTooFewElements {
+    pub last: f64,
+}
+
+#[component]
+impl MatrixWithTooFewElements {
+    #[entry]
+    pub fn step(&mut self, x: f64) -> f64 {
+        let a = Matrix2::new(x, 0.0, 1.0);
+        self.last = a[(0, 0)];
+        self.last
+    }
+}
