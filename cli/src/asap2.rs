@@ -1,6 +1,6 @@
 //! `cargo bessemer a2l`: describes variables of a linked firmware in ASAP2, for measurement and calibration tools.
 //!
-//! Invariants: addresses and sizes come from the ELF's symbols; offsets, units and ranges from the interface. A
+//! Invariants: addresses and sizes come from the ELF's symbols; offsets, units, ranges and axes from the interface. A
 //! variable is refused if no layout of its type has its size. It must not know what the C computes.
 
 use std::fmt::Write as _;
@@ -123,7 +123,8 @@ fn text(package: &str, face: &Interface, variables: &[Variable], little: bool) -
     for (_, ty, ..) in TYPES.iter().skip(1) {
         let _ = writeln!(
             text,
-            "    /begin RECORD_LAYOUT AS_{ty} FNC_VALUES 1 {ty} COLUMN_DIR DIRECT /end RECORD_LAYOUT"
+            "    /begin RECORD_LAYOUT AS_{ty} FNC_VALUES 1 {ty} COLUMN_DIR DIRECT /end RECORD_LAYOUT\n    \
+             /begin RECORD_LAYOUT AXIS_{ty} AXIS_PTS_X 1 {ty} INDEX_INCR DIRECT /end RECORD_LAYOUT"
         );
     }
     // Which units there are, each with a conversion of its own.
@@ -147,8 +148,9 @@ fn text(package: &str, face: &Interface, variables: &[Variable], little: bool) -
         names(&mut text, it);
     }
     for it in variables {
-        for leaf in face.leaves(it.ty) {
-            one(&mut text, face, it, &leaf, &units);
+        let leaves = face.leaves(it.ty);
+        for leaf in &leaves {
+            one(&mut text, face, (it, &leaves), leaf, &units);
         }
     }
     text += "  /end MODULE\n/end PROJECT\n";
@@ -183,40 +185,85 @@ fn names(text: &mut String, it: &Enum) {
     );
 }
 
-/// One number, or an array of them: what a component holds is measured, the rest is calibrated.
-fn one(text: &mut String, face: &Interface, of: &Variable, leaf: &Leaf, units: &[&str]) {
-    let name = format!("{}.{}", of.name, leaf.path.trim_start_matches("as."));
-    let said = quoted(&leaf.docs.join(" "));
-    let address = of.address + (of.bytes)(leaf.offset);
-    let enumeration = face.enumeration(&leaf.value.ty);
-    let (ty, low, high, conversion) = match enumeration {
-        Some(it) => {
+/// Type, limits and conversion of a number.
+struct Number {
+    ty: &'static str,
+    low: f64,
+    high: f64,
+    conversion: String,
+}
+
+impl Number {
+    fn of(face: &Interface, of: &Variable, leaf: &Leaf, units: &[&str]) -> Option<Number> {
+        if let Some(it) = face.enumeration(&leaf.value.ty) {
             let values = it.variants.iter().map(|(_, value, _)| f64::from(*value));
             let (low, high) = (values.clone().fold(0.0, f64::min), values.fold(0.0, f64::max));
-            (sized(low, high, (of.bytes)(it.size)), low, high, it.name.clone())
+            let ty = sized(low, high, (of.bytes)(it.size));
+            return Some(Number { ty, low, high, conversion: it.name.clone() });
         }
-        None => {
-            let known = TYPES.iter().find(|(c, ..)| *c == leaf.value.ty);
-            let Some((_, ty, low, high)) = known.copied() else { return };
-            let unit = leaf.value.unit.as_deref().unwrap_or_default();
-            let unit = units.iter().position(|it| *it == unit).unwrap_or_default();
-            let (low, high) =
-                leaf.value.range.map_or((low, high), |range| (range.low(), range.high()));
-            (ty, low, high, format!("UNIT_{unit}"))
-        }
-    };
+        let (_, ty, low, high) = *TYPES.iter().find(|(c, ..)| *c == leaf.value.ty)?;
+        let unit = leaf.value.unit.as_deref().unwrap_or_default();
+        let unit = units.iter().position(|it| *it == unit).unwrap_or_default();
+        let (low, high) = leaf.value.range.map_or((low, high), |range| (range.low(), range.high()));
+        Some(Number { ty, low, high, conversion: format!("UNIT_{unit}") })
+    }
+}
+
+fn name(of: &Variable, path: &str) -> String {
+    format!("{}.{}", of.name, path.trim_start_matches("as."))
+}
+
+/// One number, or an array of them: fields of a component are measured, others are calibrated. An array with axes is a curve or
+/// a map, and its axes are shared with other tables.
+fn one(
+    text: &mut String,
+    face: &Interface,
+    (of, all): (&Variable, &[Leaf]),
+    leaf: &Leaf,
+    units: &[&str],
+) {
+    let Some(number) = Number::of(face, of, leaf, units) else { return };
+    let Number { ty, low, high, conversion } = number;
+    let (said, address) = (quoted(&leaf.docs.join(" ")), of.address + (of.bytes)(leaf.offset));
+    let name_of = |leaf: &Leaf| name(of, &leaf.path);
+    let name = name_of(leaf);
     let counts: Vec<u32> = leaf.value.dimensions.iter().map(|it| it.unwrap_or(0)).collect();
     // ASAP2 has a list of them since 1.70, and three before; three are read by both kinds of readers.
     let filled = counts.iter().chain(std::iter::repeat(&1)).take(counts.len().max(3));
     let dimensions: String = filled.map(|count| format!(" {count}")).collect();
     let dimensions =
         if counts.is_empty() { String::new() } else { format!(" MATRIX_DIM{dimensions}") };
-    let _ = match of.ty.component {
-        true => writeln!(
+    let is_axis = all.iter().any(|table| table.axes.contains(&leaf.path));
+    let axes: Vec<&Leaf> =
+        leaf.axes.iter().filter_map(|path| all.iter().find(|it| it.path == *path)).collect();
+    let _ = match () {
+        () if of.ty.component => writeln!(
             text,
             "    /begin MEASUREMENT {name} {said} {ty} {conversion} 0 0 {low:?} {high:?} ECU_ADDRESS {address:#X}{dimensions} /end MEASUREMENT"
         ),
-        false => writeln!(
+        () if is_axis => writeln!(
+            text,
+            "    /begin AXIS_PTS {name} {said} {address:#X} NO_INPUT_QUANTITY AXIS_{ty} 0 {conversion} {} {low:?} {high:?} /end AXIS_PTS",
+            counts[0]
+        ),
+        () if !axes.is_empty() => {
+            let kind = if axes.len() == 1 { "CURVE" } else { "MAP" };
+            let _ = write!(
+                text,
+                "    /begin CHARACTERISTIC {name} {said} {kind} {address:#X} AS_{ty} 0 {conversion} {low:?} {high:?}"
+            );
+            for (axis, count) in axes.iter().zip(&counts) {
+                let Some(it) = Number::of(face, of, axis, units) else { continue };
+                let (low, high, conversion) = (it.low, it.high, it.conversion);
+                let _ = write!(
+                    text,
+                    "\n      /begin AXIS_DESCR COM_AXIS NO_INPUT_QUANTITY {conversion} {count} {low:?} {high:?} AXIS_PTS_REF {} /end AXIS_DESCR",
+                    name_of(axis)
+                );
+            }
+            writeln!(text, "\n    /end CHARACTERISTIC")
+        }
+        () => writeln!(
             text,
             "    /begin CHARACTERISTIC {name} {said} {} {address:#X} AS_{ty} 0 {conversion} {low:?} {high:?}{dimensions} /end CHARACTERISTIC",
             if counts.is_empty() { "VALUE" } else { "VAL_BLK" }

@@ -55,6 +55,7 @@ fn row(it: &Row) -> Json {
 fn field(it: &Field) -> Json {
     let mut json = value(&it.value);
     add(&mut json, "name", Some(json!(it.name)));
+    add(&mut json, "axes", (!it.axes.is_empty()).then(|| json!(it.axes)));
     add(&mut json, "comment", comment(&it.docs));
     add(&mut json, "offset", Some(bytes(it.offset)));
     json

@@ -21,6 +21,7 @@ mod enums;
 pub mod ir;
 pub mod kernel;
 mod operator;
+pub mod tables;
 pub mod text;
 pub mod used;
 pub mod visit;

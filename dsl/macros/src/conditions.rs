@@ -26,7 +26,8 @@ pub fn conditional(attribute: &syn::Attribute) -> Option<Vec<syn::Meta>> {
 const DERIVED: [&str; 7] = ["Clone", "Copy", "Default", "Eq", "Ord", "PartialEq", "PartialOrd"];
 
 /// Attributes that the C depends on.
-const MEANT: [&str; 17] = [
+const MEANT: [&str; 18] = [
+    "axes",
     "bound",
     "c",
     "cfg",

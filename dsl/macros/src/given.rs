@@ -1,5 +1,6 @@
 //! Author's C names, units and sections for types, variants, fields, parameters and tables: `#[c(name = "…", section
-//! = "…")]`, `#[c(fallback)]`, `#[unit("…")]`, `#[range(0.0..=5.0, clamp)]`.
+//! = "…")]`, `#[c(fallback)]`, `#[unit("…")]`, `#[range(0.0..=5.0, clamp)]`,
+//! `#[axes(speeds, loads)]`.
 //!
 //! They are removed from the native item, and reach the tree as [`Given`]. Conflicts of names are found only when the
 //! C is written.
@@ -18,9 +19,9 @@ pub enum On {
     Type,
     /// A variant of an enum: a name is allowed, and `fallback`.
     Variant,
-    /// A field: a name, a unit and a range are allowed.
+    /// A field: a name, a unit, a range and axes are allowed.
     Value,
-    /// A parameter: as for a field, and its range may be enforced.
+    /// A parameter: a name, a unit and a range are allowed, and the range may be enforced.
     Parameter,
     /// A `const` or a `static`: a name, a unit and a section are allowed.
     Table,
@@ -28,7 +29,7 @@ pub enum On {
 
 /// Returns true if an attribute is one of the DSL's.
 fn is_ours(attribute: &syn::Attribute) -> bool {
-    ["c", "unit", "range"].iter().any(|name| attribute.path().is_ident(name))
+    ["c", "unit", "range", "axes"].iter().any(|name| attribute.path().is_ident(name))
 }
 
 /// Removes the DSL's attributes from the native item.
@@ -60,6 +61,16 @@ pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> G
                 On::Table | On::Type | On::Variant => {
                     refusals.add(attribute.path(), refuse::RANGE_PLACE);
                 }
+            }
+            continue;
+        }
+        if attribute.path().is_ident("axes") {
+            match on {
+                On::Value => given.axes = axes(attribute, refusals),
+                _ => refusals.add(attribute.path(), refuse::AXES_PLACE),
+            }
+            if given.name.is_none() {
+                given.site = lower::site(attribute.path());
             }
             continue;
         }
@@ -101,6 +112,17 @@ pub fn unit(attribute: &syn::Attribute, refusals: &mut Refusals) -> Option<Strin
         return None;
     }
     Some(unit)
+}
+
+/// Reads the names of one axis, or of two.
+fn axes(attribute: &syn::Attribute, refusals: &mut Refusals) -> Vec<String> {
+    use syn::punctuated::Punctuated;
+    let parser = Punctuated::<syn::Ident, syn::Token![,]>::parse_terminated;
+    let axes = attribute.parse_args_with(parser).unwrap_or_default();
+    if !(1..=2).contains(&axes.len()) {
+        refusals.add(attribute.path(), refuse::AXES);
+    }
+    axes.iter().map(lower::text).collect()
 }
 
 /// Arguments of `#[range(0.0..=5.0, clamp)]`.
@@ -254,10 +276,10 @@ pub fn tokens(item: &Given) -> TokenStream {
         None => none,
     };
     let (lower::Site(line, column), radix, sizes) = (item.site, item.hexadecimal, &item.sizes);
-    let fallback = item.fallback;
+    let (fallback, axes) = (item.fallback, &item.axes);
     quote! {
         ::core::option::Option::Some(::bessemer::generate::Said {
-            name: #name, unit: #unit, range: #range, section: #section, hexadecimal: #radix, expression: #expression,
+            name: #name, unit: #unit, range: #range, axes: &[#(#axes),*], section: #section, hexadecimal: #radix, expression: #expression,
             sizes: &[#(#sizes),*], fallback: #fallback, site: (#line, #column),
         })
     }

@@ -94,6 +94,8 @@ pub struct Said {
     pub unit: Option<&'static str>,
     /// The least and the greatest number, and what becomes of others: they are taken (0), clamped (1) or reported (2).
     pub range: Option<(f64, f64, u8)>,
+    /// Fields with the points of its axes.
+    pub axes: &'static [&'static str],
     /// The section of the object file.
     pub section: Option<&'static str>,
     /// True if the author writes it in hexadecimal.
@@ -104,16 +106,17 @@ pub struct Said {
     pub sizes: &'static [&'static str],
     /// True for the variant as which a value counts in the C that is no variant.
     pub fallback: bool,
-    /// Site of the name, or else of the range.
+    /// Site of the name, or else of the range or the axes.
     pub site: (u32, u32),
 }
 
 pub(super) fn said(said: Option<Said>) -> Given {
     let Some(said) = said else { return Given::default() };
-    let Said { name, unit, range, section, hexadecimal, expression, sizes, fallback, site } = said;
+    let Said { name, unit, range, axes, section, hexadecimal, expression, sizes, fallback, site } =
+        said;
     let text = |text: Option<&'static str>| text.map(ToOwned::to_owned);
     let (name, unit, section, sizes) = (text(name), text(unit), text(section), owned(sizes));
-    let expression = text(expression);
+    let (expression, axes) = (text(expression), owned(axes));
     let beyond = [Beyond::Taken, Beyond::Clamped, Beyond::Reported];
     let range = range.and_then(|(low, high, at)| {
         Some(Range::new(low, high)?.with(beyond.get(usize::from(at)).copied().unwrap_or_default()))
@@ -123,6 +126,7 @@ pub(super) fn said(said: Option<Said>) -> Given {
         name,
         unit,
         range,
+        axes,
         section,
         public: false,
         hexadecimal,

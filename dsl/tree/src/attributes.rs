@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::Site;
 
 /// Author's attributes of a type, a variant, a field, a parameter or a table: `#[c(…)]`, `#[unit("…")]`,
-/// `#[range(…)]`.
+/// `#[range(…)]`, `#[axes(…)]`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Given {
@@ -20,6 +20,9 @@ pub struct Given {
     pub unit: Option<String>,
     /// Range of its numbers.
     pub range: Option<Range>,
+    /// Fields beside it with the points of its axes, the outer one first. In the tree and the IR they are names in Rust.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub axes: Vec<String>,
     /// Section of the object file.
     pub section: Option<String>,
     /// True if a constant is `pub`.
@@ -35,7 +38,7 @@ pub struct Given {
     /// True for the variant as which a value counts in the C that is no variant.
     #[serde(default, skip_serializing_if = "core::ops::Not::not")]
     pub fallback: bool,
-    /// Site of the name in the item's file; without a name, site of the range.
+    /// Site of the name in the item's file; without a name, site of the range or the axes.
     pub site: Site,
 }
 

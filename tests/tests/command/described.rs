@@ -96,7 +96,7 @@ fn read_back(package: &Path, elf: &Path, enums: &str) {
     fs::write(package.join("symbols.txt"), symbols.stdout).expect("the symbols");
     python.current_dir(package).env("ENUMS", enums).env("VARIABLES", variables.join(" "));
     let said = printed(&mut python, READ_BACK);
-    assert_eq!(said.lines().last(), Some("25 numbers and arrays"), "{said}");
+    assert_eq!(said.lines().last(), Some("37 numbers and arrays"), "{said}");
     for name in ["calibrated.a2l", "symbols.txt"] {
         fs::remove_file(package.join(name)).expect("a file");
     }
@@ -146,16 +146,24 @@ for variable in os.environ["VARIABLES"].split():
             ty, low, high = NUMBERS[field["type"]]
             low, high = field.get("range", (low, high))
             meaning = field.get("unit", "")
+        axes = [path.rsplit(".", 1)[0] + "." + axis for axis in field.get("axes", [])]
         comment = field.get("comment", "").replace("\n", " ")
         # At least three, so that readers of older versions accept the file.
         filled = dimensions + [1] * (3 - len(dimensions)) if dimensions else []
-        expected[path] = (kind, at, ty, float(low), float(high), filled, meaning, comment)
+        expected[path] = (kind, at, ty, float(low), float(high), filled, meaning, comment, axes)
+points = {axis for it in expected.values() if it[0] == "CHARACTERISTIC" for axis in it[-1]}
+for name, it in expected.items():
+    if name in points:
+        expected[name] = ("AXIS_PTS", *it[1:])
+    elif it[0] == "MEASUREMENT":
+        expected[name] = (*it[:-1], [])
 
 session = pya2l.import_a2l("calibrated.a2l", in_memory=True, encoding="utf-8-sig", loglevel="ERROR", progress_bar=False)
 assert session.query(model.ModCommon).one().byte_order.byteOrder == "MSB_LAST"
 tables = {it.name: {pair.inVal: pair.outVal for pair in it.pairs} for it in session.query(model.CompuVtab)}
 methods = {it.name: it for it in session.query(model.CompuMethod)}
-layouts = {it.name: it.fnc_values.datatype for it in session.query(model.RecordLayout)}
+layouts = {it.name: (it.fnc_values or it.axis_pts_x).datatype for it in session.query(model.RecordLayout)}
+directions = {it.name: it.fnc_values.indexMode for it in session.query(model.RecordLayout) if it.fnc_values}
 
 def meaning(conversion):
     method = methods[conversion]
@@ -165,17 +173,33 @@ def meaning(conversion):
     return method.unit
 
 def entry(kind, it, address, ty):
-    dimensions = list(it.matrix_dim.numbers) if it.matrix_dim else []
+    dimensions = list(it.matrix_dim.numbers) if getattr(it, "matrix_dim", None) else []
     comment = it.longIdentifier.replace('\\"', '"').replace("\\\\", "\\")
-    return kind, address, ty, it.lowerLimit, it.upperLimit, dimensions, meaning(it.conversion), comment
+    return kind, address, ty, it.lowerLimit, it.upperLimit, dimensions, meaning(it.conversion), comment, []
 
 read = {}
 for it in session.query(model.Measurement):
     read[it.name] = entry("MEASUREMENT", it, it.ecu_address.address, it.datatype)
 for it in session.query(model.Characteristic):
-    assert it.type == ("VAL_BLK" if it.matrix_dim else "VALUE")
     assert it.name not in read
-    read[it.name] = entry("CHARACTERISTIC", it, it.address, layouts[it.deposit])
+    row = entry("CHARACTERISTIC", it, it.address, layouts[it.deposit])
+    if it.axis_descr:
+        # Elements of one row of the C, whose index is that of the first axis, are neighbours.
+        assert it.type == [None, "CURVE", "MAP"][len(it.axis_descr)] and not it.matrix_dim
+        assert directions[it.deposit] == "COLUMN_DIR"
+        assert all(axis.attribute == "COM_AXIS" for axis in it.axis_descr)
+        counts = [axis.maxAxisPoints for axis in it.axis_descr]
+        row = (*row[:5], counts + [1] * (3 - len(counts)), *row[6:8], [axis.axis_pts_ref.axisPoints for axis in it.axis_descr])
+        for axis in it.axis_descr:
+            name = axis.axis_pts_ref.axisPoints
+            assert (axis.lowerLimit, axis.upperLimit, meaning(axis.conversion)) == (expected[name][3], expected[name][4], expected[name][6])
+    else:
+        assert it.type == ("VAL_BLK" if it.matrix_dim else "VALUE")
+    read[it.name] = row
+for it in session.query(model.AxisPts):
+    assert it.name not in read
+    row = entry("AXIS_PTS", it, it.address, layouts[it.depositAttr])
+    read[it.name] = (*row[:5], [it.maxAxisPoints, 1, 1], *row[6:])
 
 for name in expected.keys() | read.keys():
     assert read.get(name) == expected.get(name), (name, read.get(name), expected.get(name))

@@ -33,6 +33,36 @@ pub struct Tuning {
     #[unit("µs")]
     #[range(1..=5000)]
     pub period: u16,
+    /// Maps of the "engine".
+    pub maps: Maps,
+}
+
+/// Points of an axis.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Points {
+    /// In ascending order.
+    #[range(0..=100)]
+    pub points: [u16; 2],
+}
+
+/// Tables and their axes.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Maps {
+    /// Speeds.
+    #[unit("1/min")]
+    pub speeds: [f32; 3],
+    /// Loads.
+    pub loads: Points,
+    /// Full load by speed.
+    #[axes(speeds)]
+    #[unit("N·m")]
+    #[range(0.0..=400.0)]
+    pub full: [f64; 3],
+    /// Ignition by speed and load.
+    #[axes(speeds, loads)]
+    pub ignition: [[i8; 2]; 3],
 }
 
 impl Default for Tuning {
@@ -43,6 +73,12 @@ impl Default for Tuning {
             period: 5000,
             inertia: SMatrix::<f64, 2, 3>::new(0.1, 0.2, 0.3, 0.4, 0.5, 0.6),
             offset: -3,
+            maps: Maps {
+                speeds: [800.0, 2000.0, 6000.0],
+                loads: Points { points: [10, 100] },
+                full: [90.0, 120.0, 80.0],
+                ignition: [[5, 4], [8, 7], [9, 10]],
+            },
         }
     }
 }

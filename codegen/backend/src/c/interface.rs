@@ -5,7 +5,7 @@
 //!
 //! Invariants: a type follows the types that it contains; names are those of the C. Must not know: any such tool.
 
-use bessemer_ir::{Form, Given, Range, Role, StructId, Type};
+use bessemer_ir::{Field as Part, Form, Given, Range, Role, StructId, Type};
 
 use super::context::Context;
 use super::layout::{Enums, offsets, size_of};
@@ -70,6 +70,8 @@ pub struct Field {
     pub offset: Bytes,
     /// Type of the field.
     pub value: Value,
+    /// For a table: the paths of the fields with the points of its axes, the outer one first.
+    pub axes: Vec<String>,
 }
 
 /// Type of a field, a parameter or a result, with the unit and the range.
@@ -241,6 +243,7 @@ impl Writer<'_> {
                     unit: None,
                     range: None,
                 },
+                axes: Vec::new(),
             });
         }
         let size = self.size(&ty);
@@ -279,6 +282,7 @@ impl Writer<'_> {
                             int_enums: int_enums + inner.offset.int_enums,
                             short_enums: short_enums + inner.offset.short_enums,
                         },
+                        axes: inner.axes.iter().map(|axis| format!("{name}.{axis}")).collect(),
                         ..inner
                     }));
                 }
@@ -287,10 +291,26 @@ impl Writer<'_> {
                     docs: field.docs.clone(),
                     offset: Bytes { int_enums, short_enums },
                     value: self.value(&field.ty, &field.given),
+                    axes: self.axes(id, field),
                 }),
             }
         }
         fields
+    }
+
+    /// Returns the paths of the points of a field's axes.
+    fn axes(&self, id: StructId, field: &Part) -> Vec<String> {
+        let (module, names) = (self.context.module, self.context.names);
+        let (item, own) = (&module.structs[id.index()], &names.structs[id.index()]);
+        let path = |axis: &String| {
+            let at = item.fields.iter().position(|it| it.name == *axis)?;
+            let within = match item.fields[at].ty {
+                Type::Struct(inner) => format!(".{}", names.structs[inner.index()].fields[0]),
+                _ => String::new(),
+            };
+            Some(format!("{}{within}", own.fields[at]))
+        };
+        field.given.axes.iter().filter_map(path).collect()
     }
 
     fn size(&self, ty: &Type) -> Bytes {
@@ -382,6 +402,8 @@ pub struct Leaf<'f> {
     pub value: &'f Value,
     /// The author's comment.
     pub docs: &'f [String],
+    /// Paths of the points of its axes, for a table.
+    pub axes: Vec<String>,
 }
 
 impl Interface {
@@ -415,14 +437,15 @@ impl Interface {
         &'f self,
         of: &'f Struct,
         wanted: &dyn Fn(&Struct) -> bool,
-        (path, from): (&str, Bytes),
+        (before, from): (&str, Bytes),
         leaves: &mut Vec<Leaf<'f>>,
     ) {
         for field in of.fields.iter().filter(|_| wanted(of)) {
-            let path = format!("{path}{}", field.name);
+            let path = format!("{before}{}", field.name);
             let offset = from.plus(field.offset, 1);
             let Some(inner) = self.structure(&field.value.ty) else {
-                leaves.push(Leaf { path, offset, value: &field.value, docs: &field.docs });
+                let axes = field.axes.iter().map(|axis| format!("{before}{axis}")).collect();
+                leaves.push(Leaf { path, offset, value: &field.value, docs: &field.docs, axes });
                 continue;
             };
             let sizes = field.value.dimensions.iter().map(|it| it.unwrap_or(0));

@@ -513,20 +513,17 @@ impl Parser {
                     range = Some(self.range()?);
                     continue;
                 }
-                "public" => {
-                    given.public = true;
+                word @ ("public" | "hexadecimal" | "fallback") => {
+                    *match word {
+                        "public" => &mut given.public,
+                        "hexadecimal" => &mut given.hexadecimal,
+                        _ => &mut given.fallback,
+                    } = true;
                     continue;
                 }
-                "hexadecimal" => {
-                    given.hexadecimal = true;
-                    continue;
-                }
-                "fallback" => {
-                    given.fallback = true;
-                    continue;
-                }
-                "size" => {
-                    given.sizes.push(self.name()?);
+                word @ ("size" | "axis") => {
+                    let list = if word == "size" { &mut given.sizes } else { &mut given.axes };
+                    list.push(self.name()?);
                     continue;
                 }
                 _ => {

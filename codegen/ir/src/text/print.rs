@@ -528,7 +528,11 @@ fn shown_given(item: &Given) -> String {
     let radix = if item.hexadecimal { "hexadecimal " } else { "" };
     let fallback = if item.fallback { "fallback " } else { "" };
     let sizes: String = item.sizes.iter().map(|size| format!("size {size:?} ")).collect();
-    format!(" #({said}{range}{public}{radix}{fallback}{sizes}@{}:{})", item.site.0, item.site.1)
+    let axes: String = item.axes.iter().map(|axis| format!("axis {axis:?} ")).collect();
+    format!(
+        " #({said}{range}{axes}{public}{radix}{fallback}{sizes}@{}:{})",
+        item.site.0, item.site.1
+    )
 }
 
 /// Returns a word of a constant, in a readable form if that reads back to the same bits.

@@ -178,6 +178,7 @@ impl Source<'_> {
             unit: self.chance(2).then(|| self.text()),
             range: Range::new(f64::from(self.below(9)) / 4.0 - 2.0, 1e300)
                 .map(|it| it.with(attributes::Beyond::Clamped)),
+            axes: self.some(2, Source::text),
             section: self.chance(2).then(|| self.text()),
             public: self.chance(2),
             hexadecimal: self.chance(2),

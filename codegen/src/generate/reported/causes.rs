@@ -75,7 +75,12 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
                     && position(other) < position(one)
                     && around(other, sources) == around(one, sources)
             });
+        let of_nothing = title(one).ends_with("cannot be indexed by `()`")
+            && others().any(|(_, (other, _))| {
+                other.0.code == "E0571" && around(other, sources) == around(one, sources)
+            });
         kept[index] &= !(within
+            || of_nothing
             || elsewhere
             || refused_before
             || said_better
@@ -284,7 +289,10 @@ impl Causes {
                 });
                 // The argument of a function whose parameter is refused.
                 let unsized_one = message.title.starts_with("the size for values of type");
+                // The type of an argument that the refused parameter would decide.
+                let undecided = matches!(message.code, "E0282" | "E0283" | "E0284");
                 declared && message.code == "E0308"
+                    || self.files.contains(&file) && undecided
                     || self.files.contains(&file) && unsized_one
                     || self.refused.contains(&place)
                     || (self.files.contains(&file)

@@ -55,7 +55,7 @@ fn refused(message: &Message<'_>) -> Option<Words> {
 }
 
 /// Attributes of the DSL.
-const ATTRIBUTES: [&str; 11] = [
+const ATTRIBUTES: [&str; 13] = [
     "component",
     "data",
     "entry",
@@ -65,6 +65,8 @@ const ATTRIBUTES: [&str; 11] = [
     "unroll",
     "keep",
     "unit",
+    "range",
+    "axes",
     "external",
     "c",
 ];

@@ -198,11 +198,13 @@ reasons! {
     ENTRY_CLOSURE: "an entry point cannot take a closure, because the firmware has none to pass", "choose with an `enum` and a `match`, or make the component generic over an `#[interface]`";
     UNROLL: "`#[unroll]` requires the number of passes to write out", "write `#[unroll(4)]`, at most 64, or `#[keep]`";
     UNIT: "`#[unit]` requires a unit", "write `#[unit(\"m/s\")]`";
-    FOREIGN_IMPLEMENTATION: "an interface can be implemented for numbers and for types of your own", "wrap the value: `#[data] struct Gain(f64);`, and implement the interface for that";
+    FOREIGN_IMPLEMENTATION: "an interface can be implemented for numbers, arrays, tuples and types of your own", "wrap the value: `#[data] struct Gain(f64);`, and implement the interface for that";
     INTERFACE_CLOSURE: "a method of an interface cannot take a closure", "write a function or a method of a type that takes it";
     RANGE: "`#[range]` requires a range of numbers", "write the least and the greatest number: `#[range(0.0..=5.0)]`; on a parameter also what becomes of others: `#[range(0.0..=5.0, clamp)]` or `#[range(0.0..=5.0, report)]`";
     RANGE_OF_FIELD: "a range can be enforced where a function begins", "write `clamp` or `report` on a parameter of a function with a body, or `self.gain.clamp(0.0, 1.0)` where the field is read";
     RANGE_OF_REFERENCE: "only a number that is passed by value can be clamped or reported", "pass the number by value, or write `x.clamp(0.0, 1.0)` where it is read";
+    AXES: "`#[axes]` requires one field or two", "name the fields with the points of the axes, the outer one first: `#[axes(speeds, loads)]`";
+    AXES_PLACE: "`#[axes]` belongs on a field that is a table", "move it to the array of the values, in one struct with its axes";
     RANGE_PLACE: "`#[range]` belongs on a field or a parameter that is a number", "move it to a field or a parameter";
     UNIT_PLACE: "`#[unit]` belongs on a number", "move it to a field, a parameter, a constant, or the function that returns the number";
     C_ALONE: "`#[c(…)]` must be below an attribute of the DSL", "write it below `#[function]`, `#[data]` or `#[component]`, or on a method of a marked `impl` block";

@@ -296,12 +296,7 @@ impl Mavlink {
     }
 
     /// Sends a message that a command requests.
-    fn requested(
-        &mut self,
-        testbed: &Testbed,
-        now: &Situation,
-        it: &COMMAND_LONG_DATA,
-    ) -> Verdict {
+    fn requested(&mut self, testbed: &Testbed, now: &Situation, it: &COMMAND_LONG_DATA) -> Verdict {
         let wanted = number(it.param1).ok_or(MavResult::MAV_RESULT_DENIED)?;
         let message = if wanted == MESSAGE_INTERVAL_DATA::ID {
             let of = number(it.param2).ok_or(MavResult::MAV_RESULT_DENIED)?;

@@ -22,6 +22,8 @@ pub trait Ops<T>: Copy {
     fn product(self, other: Self) -> Self;
     /// The parts divided by their sum.
     fn shares(self) -> Self;
+    /// Adds another value.
+    fn add(&mut self, other: Self);
     /// The number of parts.
     fn parts(&self) -> u32 {
         3
@@ -53,6 +55,12 @@ impl<T: Float> Ops<T> for Vector<T> {
     fn shares(self) -> Self {
         self.scale(self.sum().recip())
     }
+
+    fn add(&mut self, other: Vector<T>) {
+        for i in 0..3 {
+            self[i] = self[i] + other[i];
+        }
+    }
 }
 
 #[data]
@@ -75,6 +83,11 @@ impl<T: Float> Ops<T> for (T, [T; 3]) {
 
     fn shares(self) -> Self {
         self.scale(self.sum().recip())
+    }
+
+    fn add(&mut self, other: Pair<T>) {
+        self.0 = self.0 + other.0;
+        self.1.add(other.1);
     }
 
     fn parts(&self) -> u32 {
@@ -103,6 +116,11 @@ impl Ops<i32> for [i32; 2] {
     fn shares(self) -> Self {
         self
     }
+
+    fn add(&mut self, other: Self) {
+        self[0] = self[0].wrapping_add(other[0]);
+        self[1] = self[1].wrapping_sub(other[1]);
+    }
 }
 
 /// The product with a number, of whatever has one.
@@ -130,7 +148,10 @@ fn measured<T: Float>(s: T, q: Pair<T>) -> T {
 /// In double precision.
 #[function]
 pub fn in_double(s: f64, first: f64, rest: [f64; 3]) -> f64 {
-    measured(s, (first, rest)) + rest.product(rest.shares()).sum() + f64::from(rest.parts())
+    let mut twice = (first, rest);
+    twice.add((s, rest));
+    twice.1.add([s, first, s]);
+    twice.sum() + measured(s, (first, rest)) + rest.product(rest.shares()).sum() + f64::from(rest.parts())
 }
 
 /// In single precision.
