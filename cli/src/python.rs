@@ -482,6 +482,26 @@ mod tests {
     }
 
     #[test]
+    fn a_number_is_checked_unless_the_c_clamps_it() {
+        use bessemer_ir::attributes::{Beyond, Range};
+        let face = Interface::default();
+        let checked = |ty: &str, beyond: Option<Beyond>| {
+            let range = beyond.and_then(|it| Some(Range::new(-2.0, 5.0)?.with(it)));
+            let ty = ty.to_owned();
+            let of = Value { ty, dimensions: Vec::new(), matrix: None, unit: None, range };
+            check(&face, "gain", "it", &of)
+        };
+        let within = |ends: &str| Some(format!("_within(\"gain\", it, \"float64\", {ends})"));
+        assert_eq!(checked("double", None), None);
+        assert_eq!(checked("double", Some(Beyond::Taken)), within("-2.0, 5.0"));
+        assert_eq!(checked("double", Some(Beyond::Reported)), within("-2.0, 5.0"));
+        assert_eq!(checked("double", Some(Beyond::Clamped)), None);
+        let integer = |ends: &str| Some(format!("_integer(\"gain\", it, {ends})"));
+        assert_eq!(checked("int8_t", Some(Beyond::Reported)), integer("-2, 5"));
+        assert_eq!(checked("int8_t", Some(Beyond::Clamped)), integer("-128, 127"));
+    }
+
+    #[test]
     fn a_comment_does_not_end_early() {
         let said = docs(&["Say \"\"\"no\"\"\" to \\d".to_owned()]);
         assert_eq!(said, "\"\"\"Say '''no''' to \\\\d\"\"\"");

@@ -23,7 +23,7 @@ fn field(name: &str, ty: &str, offset: u64, range: Option<(f64, f64)>) -> Field 
         range: range.and_then(|(low, high)| Range::new(low, high)),
     };
     let offset = Bytes { int_enums: offset, short_enums: offset };
-    Field { name: name.to_owned(), docs: Vec::new(), offset, value }
+    Field { name: name.to_owned(), docs: Vec::new(), offset, value, axes: Vec::new() }
 }
 
 fn structure(name: &str, rust: &str, size: u64, fields: Vec<Field>) -> Struct {

@@ -250,3 +250,40 @@ fn escaped(text: &str) -> String {
     }
     escaped
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bessemer_backend::c::interface::Value;
+    use bessemer_ir::attributes::{Beyond, Range};
+
+    /// Returns the description of an input with a range, in which `beyond` says what becomes of other numbers.
+    fn input(beyond: Option<Beyond>) -> String {
+        let range = beyond.and_then(|it| Some(Range::new(-2.0, 5.0)?.with(it)));
+        let ty = "double".to_owned();
+        let value = Value { ty, dimensions: Vec::new(), matrix: None, unit: None, range };
+        let input = Variable {
+            name: "gain".to_owned(),
+            place: String::new(),
+            causality: Causality::Input,
+            value: &value,
+            enumeration: None,
+            docs: String::new(),
+            start: vec![0],
+            is_set: false,
+            part_of: None,
+        };
+        let mut text = String::new();
+        variable(&mut text, 7, &input);
+        text
+    }
+
+    #[test]
+    fn an_input_has_limits_unless_the_c_clamps_it() {
+        let limits = " min=\"-2.0\" max=\"5.0\"";
+        assert!(!input(None).contains("min="));
+        assert!(input(Some(Beyond::Taken)).contains(limits));
+        assert!(input(Some(Beyond::Reported)).contains(limits));
+        assert!(!input(Some(Beyond::Clamped)).contains("min="));
+    }
+}
