@@ -124,6 +124,7 @@ pub fn named(#[c(name = "a b")] x: f64, #[unit("")] y: f64) -> f64 {
 
 #[data]
 #[range(0.0..=1.0)]
+#[axes(low)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Share {
     #[range(1.0..=0.0)]

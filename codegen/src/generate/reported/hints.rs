@@ -244,9 +244,9 @@ fn from_bound(title: &str) -> Option<String> {
     Some(format!("expected `{to}`, found `{}`", from.trim_end_matches('>')))
 }
 
-/// Returns true if rustc suggests a replacement.
+/// Returns true if rustc says more than the error.
 fn has_remedy(message: &Message<'_>) -> bool {
-    message.rendered.contains("help:")
+    message.below().next().is_some()
 }
 
 /// Returns the remedy for a number of another type than expected.
