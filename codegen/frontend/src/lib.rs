@@ -1,13 +1,14 @@
 //! Lowers the tree from the DSL to the typed IR, or reports errors at the author's lines.
 //!
 //! [`typify`] is the lowering. [`diagnostic`] formats the errors, with lines from [`source`]. [`termination`] proves
-//! that a loop ends. [`fuse`] substitutes temporaries that evaluation order does not need.
+//! that a loop ends. [`fuse`] substitutes temporaries that evaluation order does not need. `axes` checks the axes of tables.
 //!
 //! Must not know: the passes over the IR, and C.
 
 // The order of a hash table differs from run to run: the C must not depend on it.
 #![warn(clippy::iter_over_hash_type)]
 
+mod axes;
 pub mod diagnostic;
 pub mod fuse;
 pub mod source;

@@ -10,7 +10,6 @@
 mod arrays;
 mod asked_orders;
 mod atomic;
-mod axes;
 mod borrowed;
 mod borrowed_slices;
 mod bounded;
@@ -191,7 +190,7 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::J
     }
     let mut errors = std::mem::take(&mut cx.told);
     errors.extend(ranges::wrong(&cx.module));
-    errors.extend(axes::wrong(&cx.module));
+    errors.extend(crate::axes::wrong(&cx.module));
     // What contradicts itself may follow from what is refused.
     if errors.iter().any(|it| it.help != OUR_FAULT) {
         errors.retain(|it| it.help != OUR_FAULT);

@@ -8,7 +8,7 @@ use bessemer_ir::{Field, Module, Struct};
 use crate::diagnostic::Diagnostic;
 
 /// Returns an error for each table whose axes do not fit.
-pub(super) fn wrong(module: &Module) -> Vec<Diagnostic> {
+pub(crate) fn wrong(module: &Module) -> Vec<Diagnostic> {
     let mut found: Vec<Diagnostic> = Vec::new();
     for item in &module.structs {
         for field in item.fields.iter().filter(|it| !it.given.axes.is_empty()) {
