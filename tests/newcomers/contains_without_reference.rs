@@ -1,4 +1,4 @@
-//! Whether a code is known.
+//! A search for a known code.
 use bessemer::prelude::*;
 
 #[component]

@@ -1,4 +1,4 @@
-//! A sum of what is positive.
+//! A sum of the positive elements.
 use bessemer::prelude::*;
 
 #[component]

@@ -167,7 +167,7 @@ impl<'a> Scope<'a> {
         beside.flat_map(move |name| self.values_of(name)).chain(self.conversions())
     }
 
-    /// Returns the other bounds of [`Scope::values`]: the hidden items of the interface require them of its parameters, so
+    /// Returns the other bounds of [`Scope::values`]. The hidden items of the interface require them of its parameters, so
     /// functions that call its methods do not need them.
     pub fn values_within(self, interface: &syn::Path) -> impl Iterator<Item = TokenStream> {
         let within = self.types().filter(move |name| self.is_passed_on(name, interface));

@@ -5,7 +5,7 @@
 //!
 //! Invariants: a type follows the types that it contains; names are those of the C. Must not know: any such tool.
 
-use bessemer_ir::{Field as Part, Form, Given, Range, Role, StructId, Type};
+use bessemer_ir::{Form, Given, Range, Role, StructId, Type};
 
 use super::context::Context;
 use super::layout::{Enums, offsets, size_of};
@@ -286,20 +286,23 @@ impl Writer<'_> {
                         ..inner
                     }));
                 }
-                _ => fields.push(Field {
-                    name: name.clone(),
-                    docs: field.docs.clone(),
-                    offset: Bytes { int_enums, short_enums },
-                    value: self.value(&field.ty, &field.given),
-                    axes: self.axes(id, field),
-                }),
+                _ => {
+                    let attributes = &field.given;
+                    fields.push(Field {
+                        name: name.clone(),
+                        docs: field.docs.clone(),
+                        offset: Bytes { int_enums, short_enums },
+                        value: self.value(&field.ty, attributes),
+                        axes: self.paths(id, &attributes.axes),
+                    });
+                }
             }
         }
         fields
     }
 
-    /// Returns the paths of the points of a field's axes.
-    fn axes(&self, id: StructId, field: &Part) -> Vec<String> {
+    /// Returns the paths of the points of axes, by their names in Rust.
+    fn paths(&self, id: StructId, axes: &[String]) -> Vec<String> {
         let (module, names) = (self.context.module, self.context.names);
         let (item, own) = (&module.structs[id.index()], &names.structs[id.index()]);
         let path = |axis: &String| {
@@ -310,7 +313,7 @@ impl Writer<'_> {
             };
             Some(format!("{}{within}", own.fields[at]))
         };
-        field.given.axes.iter().filter_map(path).collect()
+        axes.iter().filter_map(path).collect()
     }
 
     fn size(&self, ty: &Type) -> Bytes {

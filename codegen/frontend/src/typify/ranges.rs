@@ -8,7 +8,7 @@ use crate::diagnostic::Diagnostic;
 
 /// Returns errors about ranges of types that are not numeric, and about defaults outside their ranges.
 pub(super) fn wrong(module: &Module) -> Vec<Diagnostic> {
-    let mut walk = Walk { module, told: Vec::new() };
+    let mut walk = Walk { module, found: Vec::new() };
     for item in &module.structs {
         for field in &item.fields {
             walk.number(&field.name, &field.ty, &field.given, item.span);
@@ -26,12 +26,12 @@ pub(super) fn wrong(module: &Module) -> Vec<Diagnostic> {
             walk.fields(StructId(index as u32), words, &format!("{}::default()", item.name));
         }
     }
-    walk.told
+    walk.found
 }
 
 struct Walk<'m> {
     module: &'m Module,
-    told: Vec<Diagnostic>,
+    found: Vec<Diagnostic>,
 }
 
 impl Walk<'_> {
@@ -40,10 +40,10 @@ impl Walk<'_> {
         let file = self.module.files.get(home.file as usize).cloned().unwrap_or_default();
         let (line, column) = (given.site.0, given.site.1);
         let at = |it: &Diagnostic| (&it.file, it.line, it.column) == (&file, line, column);
-        if !self.told.iter().any(at) {
+        if !self.found.iter().any(at) {
             let help = help.to_owned();
-            let told = Diagnostic { file, line, column, message, help, ..Diagnostic::default() };
-            self.told.push(told);
+            let error = Diagnostic { file, line, column, message, help, ..Diagnostic::default() };
+            self.found.push(error);
         }
     }
 

@@ -493,18 +493,18 @@ impl Parser {
 
     /// Reads an item's attributes, `#(name "x" measured "m/s" @12:3)`, if they are next.
     fn given(&mut self) -> Parsed<Given> {
-        let (mut given, mut range) = (Given::default(), None);
+        let (mut item, mut range) = (Given::default(), None);
         if !self.sees("#") || *self.ahead(1) != Token::Mark("(") {
-            return Ok(given);
+            return Ok(item);
         }
         self.bump();
         self.expect("(")?;
         while !self.eat("@") {
             let said = match self.name()?.as_str() {
-                "name" => &mut given.name,
-                "measured" => &mut given.unit,
-                "section" => &mut given.section,
-                "expression" => &mut given.expression,
+                "name" => &mut item.name,
+                "measured" => &mut item.unit,
+                "section" => &mut item.section,
+                "expression" => &mut item.expression,
                 word @ ("clamped" | "reported") => {
                     range = range.map(|it: Range| it.enforced_as(word));
                     continue;
@@ -515,14 +515,14 @@ impl Parser {
                 }
                 word @ ("public" | "hexadecimal" | "fallback") => {
                     *match word {
-                        "public" => &mut given.public,
-                        "hexadecimal" => &mut given.hexadecimal,
-                        _ => &mut given.fallback,
+                        "public" => &mut item.public,
+                        "hexadecimal" => &mut item.hexadecimal,
+                        _ => &mut item.fallback,
                     } = true;
                     continue;
                 }
                 word @ ("size" | "axis") => {
-                    let list = if word == "size" { &mut given.sizes } else { &mut given.axes };
+                    let list = if word == "size" { &mut item.sizes } else { &mut item.axes };
                     list.push(self.name()?);
                     continue;
                 }
@@ -532,12 +532,12 @@ impl Parser {
             };
             *said = Some(self.name()?);
         }
-        given.range = range;
+        item.range = range;
         let line = self.number()?;
         self.expect(":")?;
-        given.site = Site(line, self.number()?);
+        item.site = Site(line, self.number()?);
         self.expect(")")?;
-        Ok(given)
+        Ok(item)
     }
 
     /// Reads the struct or enum to which a function belongs.

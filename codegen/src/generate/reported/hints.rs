@@ -296,7 +296,7 @@ fn operands(quoted: &[&str]) -> Option<String> {
         let float = if **float == "{float}" { "f64" } else { float };
         return Some(match **integer {
             "i64" | "u64" | "isize" | "usize" => {
-                format!("convert it: `count as {float}`, which rounds what is above 2^53")
+                format!("convert it: `count as {float}`, which rounds numbers above 2^53")
             }
             _ => format!("convert it: `{float}::from(count)`"),
         });

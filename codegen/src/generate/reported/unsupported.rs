@@ -1,5 +1,6 @@
-//! Rewords an error about a type that the DSL does not support: the type at fault is the innermost one, and if the author
-//! declares it, the remedy is to mark it.
+//! Rewords an error about a type that the DSL does not support.
+//!
+//! The type at fault is the innermost one. If the author declares it, the remedy is to mark it.
 //!
 //! Must not know: where the type is named ([`place`]).
 

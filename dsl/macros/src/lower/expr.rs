@@ -210,9 +210,7 @@ impl Lowering {
         match literal {
             syn::Lit::Bool(it) => ExprKind::Bool(it.value),
             syn::Lit::Int(it) => match Scalar::from_name(it.suffix()) {
-                None if matches!(it.suffix(), "u128" | "i128") => {
-                    self.refused(it, refuse::WIDE_INTEGER)
-                }
+                None if refuse::is_wide(it.suffix()) => self.refused(it, refuse::WIDE_INTEGER),
                 None if !it.suffix().is_empty() => self.refused(it, refuse::SUFFIX),
                 float @ Some(Scalar::Float(_)) => ExprKind::Float(it.base10_digits().into(), float),
                 suffix => ExprKind::Int(digits(it), suffix),

@@ -291,6 +291,11 @@ pub fn library(path: &syn::Path) -> Option<Reason> {
     }
 }
 
+/// Returns true for the name of an integer of 128 bits.
+pub fn is_wide(name: &str) -> bool {
+    matches!(name, "u128" | "i128")
+}
+
 /// Returns the reason for a type that its name shows to be unsupported.
 pub fn named_type(path: &syn::Path) -> Option<Reason> {
     let last = path.segments.last()?;
@@ -312,7 +317,7 @@ pub fn named_type(path: &syn::Path) -> Option<Reason> {
         "UnitComplex" | "UnitDualQuaternion" | "Isometry2" | "IsometryMatrix2"
         | "IsometryMatrix3" | "Similarity2" | "Similarity3" | "Transform3" | "Affine3"
         | "Projective3" => ROTATION,
-        "u128" | "i128" => WIDE_INTEGER,
+        name if is_wide(name) => WIDE_INTEGER,
         "str" => STRING,
         _ => return None,
     })

@@ -160,7 +160,7 @@ pub fn in_single(s: f32, first: f32, rest: [f32; 3]) -> f32 {
     measured(s, (first, rest)) + rest.product(rest.shares()).sum()
 }
 
-/// Of integers.
+/// The operations on integers.
 #[function]
 pub fn of_integers(s: i32, values: [i32; 2]) -> i32 {
     values.product(values.shares()).scale(s).sum().wrapping_add(values.norm()).wrapping_add(values.parts() as i32)
