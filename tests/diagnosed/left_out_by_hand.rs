@@ -13,10 +13,15 @@ pub fn left_out_by_hand(values: &[u8; 8]) -> [Option<u8>; 2] {
     [items.next(), items.next()]
 }
 
-/// `skip` of an iterator that may go on after its end.
+/// Parts of items that a closure makes, which are not made again.
 #[function]
-pub fn skipped(values: &[u8; 8]) -> [Option<u8>; 2] {
-    let mut items = values.iter().map_while(|x| (*x > 2).then_some(*x)).skip(2);
+pub fn made(values: &[u8; 8]) -> [Option<u8>; 2] {
+    let mut k = 0;
+    let next = || {
+        k += 1;
+        values.get(k).copied()
+    };
+    let mut items = core::iter::from_fn(next).flat_map(|x| [x, x ^ 1]);
     [items.next(), items.next()]
 }
 

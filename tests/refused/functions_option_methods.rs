@@ -3,15 +3,15 @@ extern crate std;
 
 use bessemer::prelude::*;
 
-/// Does with options what has no place in the C.
+/// Copies a variable at each pass.
 #[function]
-pub fn options(value: Option<f64>) -> Option<f64> {
+pub fn options(value: Option<f64>) -> f64 {
     let mut gain = 2.0;
-    let scaled = value.map(move |x| {
+    #[bound(9)]
+    while value.is_some_and(move |x| x > gain) {
         gain += 1.0;
-        x * gain
-    });
-    scaled.inspect(|x| assert!(*x > 1.0))
+    }
+    gain
 }
 
 fn main() {}

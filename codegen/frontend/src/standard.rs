@@ -217,10 +217,26 @@ pub fn ends_in_argument(function: &Function) -> bool {
     is(function, ADAPTERS, "skip") || is(function, ADAPTERS, "chain")
 }
 
-/// Returns true for an adapter that equals the standard library's only over an iterator that stays ended. After a `None`, the
-/// standard library begins to skip anew, or does not return to the first part.
-pub fn needs_an_end(function: &Function) -> bool {
-    ["skip", "step_by", "chain"].iter().any(|name| is(function, ADAPTERS, name))
+/// State of an adapter after its argument yielded `None`, from which it continues if the argument yields more items.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interrupted {
+    /// This count is zero: it skips nothing more.
+    Zero(&'static str),
+    /// This count has the value of another variable: it skips anew.
+    Anew(&'static str, &'static str),
+    /// It takes no more items of its first argument.
+    Behind,
+}
+
+/// Returns the state in which the standard library leaves an adapter after its argument yielded `None`; none if the adapter's own
+/// variables have it already.
+pub fn interrupted(function: &Function) -> Option<Interrupted> {
+    match (&*function.module, &*function.tree.name) {
+        (ADAPTERS, "skip") => Some(Interrupted::Zero("left")),
+        (ADAPTERS, "step_by") => Some(Interrupted::Anew("left", "between")),
+        (ADAPTERS, "chain") => Some(Interrupted::Behind),
+        _ => None,
+    }
 }
 
 /// Returns true if an adapter yields no more items once its own loop is left.
@@ -231,6 +247,11 @@ pub fn ends_for_good(function: &Function) -> bool {
 /// Returns true if an adapter stays ended where its arguments do.
 pub fn stays_ended(function: &Function) -> bool {
     !["from_fn", "map_while", "scan"].iter().any(|name| is(function, ADAPTERS, name))
+}
+
+/// Returns true for an adapter with a loop in its loop, over the parts of each item.
+pub fn is_nested(function: &Function) -> bool {
+    is(function, ADAPTERS, "flat_map") || is(function, ADAPTERS, "flatten")
 }
 
 /// Returns true for the adapter `rev`.

@@ -51,6 +51,33 @@ impl Expr {
         Expr::plain(ExprKind::Block(Block { stmts, tail: None }), site)
     }
 
+    /// Returns the expression under the condition that a flag is not set, which is then set behind it.
+    pub fn once(self, flag: &str) -> Expr {
+        let site = self.site;
+        let mut once = self.without_flag(flag);
+        if let ExprKind::If(_, then, _) = &mut once.kind {
+            then.stmts.push(Stmt::assigned(flag, Expr::plain(ExprKind::Bool(true), site), site));
+        }
+        once
+    }
+
+    /// Returns a block that assigns the value of another variable, or else zero, to a count behind the expression.
+    pub fn with_count_behind(self, count: &str, other: Option<&str>) -> Expr {
+        let site = self.site;
+        let mut block = Block { stmts: [Stmt::Expr(self)].into(), tail: None };
+        block.assign_behind(count, other, site);
+        Expr::plain(ExprKind::Block(block), site)
+    }
+
+    /// Lets each pass of a loop call a closure without an item.
+    pub fn without_items(&mut self, closure: &str) {
+        let call = Expr::plain(ExprKind::Apply(closure.into(), Vec::new()), self.site);
+        if let ExprKind::Each { pattern, body, .. } = &mut self.kind {
+            **pattern = Pattern::Any;
+            *body = Block { stmts: [Stmt::Expr(call)].into(), tail: None };
+        }
+    }
+
     /// Returns the expression under the condition that a flag is not set.
     pub fn without_flag(self, name: &str) -> Expr {
         let site = self.site;
@@ -58,6 +85,23 @@ impl Expr {
         let not_yet = Box::new(Expr::plain(ExprKind::Unary(UnaryOp::Not, flag), site));
         let then = Block { stmts: [Stmt::Expr(self)].into(), tail: None };
         Expr::plain(ExprKind::If(not_yet, then, None), site)
+    }
+}
+
+impl Block {
+    /// Adds an assignment of the value of another variable, or else zero, to a count.
+    pub fn assign_behind(&mut self, count: &str, other: Option<&str>, site: Site) {
+        let zero = || ExprKind::Int("0".into(), Some(Scalar::Int(Int::Usize)));
+        let value =
+            other.map_or_else(|| Expr::plain(zero(), site), |other| Expr::local(other, site));
+        self.stmts.push(Stmt::assigned(count, value, site));
+    }
+}
+
+impl Source {
+    /// Returns the source without as many items as a variable counts.
+    pub fn behind(self, count: &str, site: Site) -> Source {
+        Source::Skip(Box::new(self), Expr::local(count, site))
     }
 }
 

@@ -55,6 +55,23 @@ impl Source {
             }
         }
     }
+
+    /// Returns true if a condition holds for the source, or for one that it adapts or combines.
+    pub fn any(&self, holds: &impl Fn(&Source) -> bool) -> bool {
+        holds(self)
+            || match self {
+                Source::Zip(one, other, _) | Source::Chain(one, other) => {
+                    one.any(holds) || other.any(holds)
+                }
+                Source::Enumerate(of)
+                | Source::Rev(of)
+                | Source::Cycle(of)
+                | Source::Skip(of, _)
+                | Source::Take(of, _)
+                | Source::StepBy(of, _) => of.any(holds),
+                Source::Elements(..) | Source::Numbers(_) | Source::Groups(..) => false,
+            }
+    }
 }
 
 /// A range of numbers.

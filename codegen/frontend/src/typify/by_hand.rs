@@ -21,10 +21,10 @@ use super::choice::takes_all;
 use super::items::handing;
 use super::lengths::{minus, number};
 use super::lowering::{Closure, Hand, Lowering, Way};
-use super::mentions::mentions;
+use super::mentions::{mentions, takes_from_end};
 use super::scopes::Names;
 use super::single_pass::single_pass;
-use super::syntax::{bare, generates, some_of};
+use super::syntax::{generates, some_of};
 use super::value::Value;
 use super::{Needed, Result, refusals, refused};
 use crate::standard::{is_enumerate, is_next_back, is_zip};
@@ -56,6 +56,10 @@ pub(super) enum Change {
     End,
     /// It begins after the taken items, is reversed, and moves the end to each item.
     Back,
+    /// It begins after the finished items, and counts those that it begins.
+    Enter,
+    /// As `Count`, for the parts of an item, which each pass makes.
+    Parts,
 }
 
 /// Returns true for the pattern of a loop that counts the items it takes: it also binds an index. Such a loop is
@@ -81,20 +85,8 @@ impl<'a> Lowering<'a, '_> {
         if mentions(name, body) < 2 {
             return Ok(iterator);
         }
-        let is_last = |it: &tree::Expr| match &it.kind {
-            Tree::Call(callee, arguments) => {
-                let called = match function.callees.get(*callee as usize) {
-                    Some(tree::Callee::Function(path)) => self.cx.calls.all.get(path.as_str()),
-                    _ => None,
-                };
-                called.is_some_and(|it| is_next_back(it))
-                    && arguments
-                        .iter()
-                        .any(|of| matches!(&bare(of).kind, Tree::Local(it) if it == name))
-            }
-            _ => false,
-        };
-        if body.any_expr(is_last) {
+        let known = |path: &str| self.cx.calls.all.get(path).copied();
+        if body.any_expr(|it| takes_from_end(name, it, (function, &known))) {
             return self.two_ended(name, through, site).map(Value::Closure);
         }
         self.counted(name, through, site).map(Value::Closure)
@@ -211,8 +203,8 @@ impl<'a> Lowering<'a, '_> {
             self.closure(closure);
         }
         let again = counted + 1;
-        let (within, stateful, last) = (Vec::new(), false, None);
-        let hand = Hand { again, taken, local, kept, within, stateful, last };
+        let (within, stateful, last, nested) = (Vec::new(), false, None, None);
+        let hand = Hand { again, taken, local, kept, within, stateful, last, nested };
         self.hands.insert(counted, hand);
         (counted, again)
     }
@@ -236,9 +228,12 @@ impl<'a> Lowering<'a, '_> {
 
     /// Returns true if an expression reads the count of a counted iterator.
     pub(super) fn is_taken(&self, value: &Expr) -> bool {
-        let mut counts = self.hands.values().filter(|hand| hand.taken.is_some());
+        let is_counted = |hand: &&Hand| hand.taken.is_some() || hand.nested.is_some();
+        let mut counts = self.hands.values().filter(is_counted);
         let is_count = |hand: &Hand, local| {
-            hand.local == local || hand.last.is_some_and(|(end, _)| end == local)
+            hand.local == local
+                || hand.last.is_some_and(|(end, _)| end == local)
+                || hand.nested.as_ref().is_some_and(|it| it.counts.contains(&local))
         };
         matches!(&value.kind, ExprKind::Load(place) if counts.any(|it| is_count(it, place.root)))
     }
@@ -295,7 +290,7 @@ impl<'a> Lowering<'a, '_> {
         if let Source::Elements(of, _) = &**source
             && self.own_next(of).is_some()
         {
-            return change != Change::End;
+            return !matches!(change, Change::End | Change::Enter);
         }
         if let Source::Elements(of, _) = &mut **source
             && change == Change::End
@@ -308,7 +303,7 @@ impl<'a> Lowering<'a, '_> {
         }
         let is_made = |leaf: &&Source| match leaf {
             Source::Elements(of, _) => {
-                matches!(of.kind, Tree::Call(..) | Tree::Apply(..))
+                change != Change::Parts && matches!(of.kind, Tree::Call(..) | Tree::Apply(..))
                     || self.iterator_named(of).is_some()
             }
             _ => false,
@@ -320,13 +315,18 @@ impl<'a> Lowering<'a, '_> {
         let wrapped = |source: &mut Box<Source>, wrap: &dyn Fn(Box<Source>) -> Source| {
             **source = wrap(source.clone());
         };
-        if matches!(change, Change::Count | Change::Back) {
+        if !matches!(change, Change::Begin | Change::End) {
             wrapped(source, &Source::Enumerate);
             let inner = std::mem::replace(&mut **pattern, Pattern::Any);
             **pattern = Pattern::Tuple(vec![Pattern::name(TAKEN), inner]);
-            let (counts, next) = match change {
-                Change::Back => (last_of(taken), local(TAKEN)),
-                _ => (taken.to_owned(), tree::Expr::successor(TAKEN, site)),
+            let next = match change {
+                Change::Back => local(TAKEN),
+                _ => tree::Expr::successor(TAKEN, site),
+            };
+            let counts = match change {
+                Change::Back => last_of(taken),
+                Change::Enter => begun_of(taken),
+                _ => taken.to_owned(),
             };
             body.stmts.insert(0, Stmt::assigned(&counts, next, site));
         }
@@ -405,13 +405,21 @@ impl<'a> Lowering<'a, '_> {
         let takes = is_next(function) || is_next_back(function);
         let through = self.iterator_named(iterator).filter(|_| takes)?;
         let mut hand = self.hands.get(&through)?;
-        while hand.taken.is_none() || !hand.stateful {
+        // A loop in a loop may have more passes than items.
+        while hand.nested.is_none() && (hand.taken.is_none() || !hand.stateful) {
             match &hand.within[..] {
                 [] => break,
                 [(_, within)] => hand = self.hands.get(within)?,
                 // Two of them may have more passes than one.
                 _ => return None,
             }
+        }
+        let body = taking_next(item, value.clone(), body, condition.site);
+        let over = Source::Elements(tree::Expr::local(PASSES, condition.site), false);
+        if let Some(nested) = &hand.nested {
+            let passes = Value::Closure(nested.passes?);
+            self.bind(PASSES, passes);
+            return Some((over, body));
         }
         let (again, site) = (Rc::clone(&self.closures[hand.again]), condition.site);
         let own = |inner: &mut Self| Ok(own_below(inner, &again.text.body).is_some());
@@ -424,8 +432,7 @@ impl<'a> Lowering<'a, '_> {
         *passes.text.body = tree::Expr::plain(each, site);
         let passes = Value::Closure(self.closure(passes));
         self.bind(PASSES, passes);
-        let body = taking_next(item, value.clone(), body, site);
-        Some((Source::Elements(tree::Expr::local(PASSES, site), false), body))
+        Some((over, body))
     }
 }
 
@@ -463,6 +470,12 @@ pub(super) fn check_end(
 pub(super) fn last_of(taken: &str) -> String {
     let number = taken.rsplit('%').next().unwrap_or_default();
     format!("end%{number}")
+}
+
+/// Returns the name of the count of begun items, beside this count of finished ones.
+pub(super) fn begun_of(finished: &str) -> String {
+    let number = finished.rsplit('%').next().unwrap_or_default();
+    format!("begun%{number}")
 }
 
 /// Returns the author's own iterator that is the source of an iterator: its name and its local.

@@ -21,6 +21,7 @@ use super::consumed::{Sides, is_borrowed, zipped};
 use super::each::Each;
 use super::items::{self, handing};
 use super::lowering::{Closure, Lowering, Way, local_since};
+use super::nested::{continue_parts, parts_in};
 use super::numbered::hands_on;
 use super::seq::{elements_through, pair};
 use super::syntax::generates;
@@ -155,7 +156,11 @@ impl<'a> Lowering<'a, '_> {
             _ => (source, false),
         };
         let itself = going(links);
-        if itself.is_none() && !matches!(links, Source::Elements(..)) {
+        let parts = match (&by, parts_in(links)) {
+            (By::Closure(..), Some((name, _))) => Some((name, self.lookup(name, site)?)),
+            _ => None,
+        };
+        if itself.is_none() && parts.is_none() && !matches!(links, Source::Elements(..)) {
             return refused(site, refusals::ONE_BY_ONE);
         }
         self.naming_scope(|inner| {
@@ -196,7 +201,12 @@ impl<'a> Lowering<'a, '_> {
                 By::Closure(name, arguments) => {
                     inner.applied(name, arguments, site, |inner, closure| {
                         inner.bind(EACH, each);
-                        inner.effect(&through(&closure.body))
+                        let mut text = through(&closure.body);
+                        if let Some((name, count)) = parts {
+                            inner.bind(name, count);
+                            continue_parts(inner, &mut text, name)?;
+                        }
+                        inner.effect(&text)
                     })
                 }
             }
@@ -279,6 +289,7 @@ impl<'a> Lowering<'a, '_> {
 /// Returns the closure by which a reversed source takes the items of a counted iterator. It is the reversed loop, or, if nothing
 /// takes more items afterwards, the loop that counts nothing.
 fn from_the_end(lowering: &Lowering, source: &Source, of: &tree::Expr) -> Option<usize> {
+    let source = if let Source::Enumerate(of) = source { of } else { source };
     let Source::Rev(_) = source else { return None };
     let named = lowering.iterator_named(of)?;
     let hand = lowering.hands.get(&named)?;

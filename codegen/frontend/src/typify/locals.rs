@@ -165,6 +165,11 @@ impl Locals {
         self.facts[local.index()].assigned.as_ref()
     }
 
+    /// Returns true if the author may write a local again, or its caller's variable through it.
+    pub fn may_change(&self, local: LocalId) -> bool {
+        self.assigned(local).is_some() || self.all[local.index()].mode == Mode::RefMut
+    }
+
     /// Returns true for a local that may remain unread.
     pub fn is_optional(&self, local: LocalId) -> bool {
         self.facts[local.index()].optional

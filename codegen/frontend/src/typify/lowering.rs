@@ -162,6 +162,19 @@ pub(super) struct Hand {
     /// For an iterator whose items are also taken from the end: the local that has the end, and the closure of its
     /// reversed loop.
     pub last: Option<(LocalId, usize)>,
+    /// For a loop in a loop: the iterator of the outer loop, and the counts.
+    pub nested: Option<Nested>,
+}
+
+/// The counts of an adapter with a loop in its loop ([`nested`](super::nested)).
+#[derive(Clone)]
+pub(super) struct Nested {
+    /// Name of the first iterator in the tree.
+    pub items: String,
+    /// Counts of the finished items and of the parts that were taken.
+    pub counts: [LocalId; 2],
+    /// Closure of a loop in a loop with at least as many passes as items are left; none for a copy.
+    pub passes: Option<usize>,
 }
 
 /// The order in which the loop of an iterator can yield its items.

@@ -1,9 +1,12 @@
-//! Number of uses of an iterator in a function: one that is used once needs no count of its items.
+//! Uses of an iterator in a function: one that is used once needs no count of its items, and only some need an end.
 //!
 //! Invariant: the number may be too large, never too small. An iterator without a count begins anew at each use.
 
 use bessemer_ir::tree::visit::{Visit, walk_expr, walk_stmt};
-use bessemer_ir::tree::{self, ExprKind as Tree, Stmt};
+use bessemer_ir::tree::{self, Builtin, Desugared, ExprKind as Tree, Source, Stmt};
+
+use super::syntax::bare;
+use crate::standard;
 
 /// Visitor that counts the uses of a name. A use in a loop counts twice, and so does a `let` that binds the iterator
 /// to a second name.
@@ -22,6 +25,47 @@ pub(super) fn mentions(name: &str, body: &tree::Block) -> usize {
     let mut mentions = Mentions { name, depth: 0, declared: 0, lets: 0, count: 0 };
     mentions.block(body);
     if mentions.lets > 1 { mentions.count.max(2) } else { mentions.count }
+}
+
+/// Returns true if an expression of a function takes items of an iterator from its end. These are `bytes.next_back()`, and a loop
+/// over `bytes.by_ref().rev()`.
+pub(super) fn takes_from_end<'f>(
+    name: &str,
+    expr: &tree::Expr,
+    (function, known): (&tree::Function, &impl Fn(&str) -> Option<&'f tree::Function>),
+) -> bool {
+    let is_it = |of: &tree::Expr| matches!(&bare(of).kind, Tree::Local(it) if it == name);
+    let callee = |callee: u32| function.callees.get(callee as usize);
+    let is_borrowed = |of: &tree::Expr| match &of.kind {
+        Tree::Ref(true, of) => is_it(of),
+        Tree::Call(by_ref, arguments) => {
+            let by_ref = matches!(
+                callee(*by_ref),
+                Some(tree::Callee::Builtin(Builtin::Desugared(Desugared::ByRef)))
+            );
+            by_ref && arguments.iter().any(is_it)
+        }
+        _ => false,
+    };
+    match &expr.kind {
+        Tree::Call(called, arguments) => {
+            let called = match callee(*called) {
+                Some(tree::Callee::Function(path)) => known(path.as_str()),
+                _ => None,
+            };
+            called.is_some_and(|it| match standard::is_rev(it) {
+                true => arguments.iter().any(is_borrowed),
+                false => standard::is_next_back(it) && arguments.iter().any(is_it),
+            })
+        }
+        Tree::Each { source, .. } => source.any(&|it| match it {
+            Source::Rev(of) => {
+                matches!(&**of, Source::Elements(of, _) if is_borrowed(of))
+            }
+            _ => false,
+        }),
+        _ => false,
+    }
 }
 
 impl Mentions<'_> {

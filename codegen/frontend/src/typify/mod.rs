@@ -8,7 +8,6 @@
 //! operands comes from a slot.
 
 mod arrays;
-mod asked_orders;
 mod atomic;
 mod borrowed;
 mod borrowed_slices;
@@ -46,6 +45,7 @@ mod loops;
 mod lowering;
 mod mentions;
 mod names;
+mod nested;
 mod numbered;
 mod numbers;
 mod option;

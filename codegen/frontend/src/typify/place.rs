@@ -310,7 +310,11 @@ impl Lowering<'_, '_> {
         if let (None, Some(lent)) = (&place, lent) {
             place = Some(self.held(lent)?);
         }
-        let mut place = place.or_refused(site, refusals::NAMED_REFERENCE)?;
+        let reason = match value.is_some_and(control_with_value) {
+            true => refusals::CHOSEN_REFERENCE,
+            false => refusals::NAMED_REFERENCE,
+        };
+        let mut place = place.or_refused(site, reason)?;
         let moves = !exclusive && (self.is_loan(&place) || value.is_some_and(is_held));
         if moves {
             // A reference that a value holds is a copy there; the value may get another.

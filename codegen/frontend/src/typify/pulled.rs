@@ -16,12 +16,13 @@ use super::by_hand::{Change, all_of, items_of, last_of};
 use super::generator::{NUMBER, going};
 use super::items::{copied, handing};
 use super::lowering::{Closure, Hand, Lowering, Way};
+use super::nested::{nested, with_copies};
 use super::scopes::{Names, meaning_in};
 use super::seq::pair;
 use super::syntax::{generates, is_of_library};
 use super::value::Value;
-use super::{Needed, Result, refusals, refused};
-use crate::standard;
+use super::{Needed, Result, refusals};
+use crate::standard::{self, Interrupted};
 
 /// Name of the flag that an adapter has yielded its last item.
 const ENDED: &str = "ended%";
@@ -35,13 +36,18 @@ fn pulled<'a>(
 ) -> Result<Option<usize>> {
     let Some(of) = all_of(&through.text.body) else { return Ok(None) };
     let started = lowering.in_scope_of(through, None, site, |inner| {
-        let Some((function, arguments)) = inner.expansion(of).filter(|it| resumes(it.0)) else {
-            return Ok(None);
-        };
+        let called = inner.expansion(of).filter(|it| resumes(it.0) || standard::is_nested(it.0));
+        let Some((function, arguments)) = called else { return Ok(None) };
         Ok(inner.start(function, arguments, site)?.map(|own| (function, own)))
     })?;
     let Some((function, mut own)) = started else { return Ok(None) };
+    if standard::is_nested(function) {
+        return nested(lowering, name, function, own, site);
+    }
     if standard::is_rev(function) {
+        if let Some(known) = from_the_end(lowering, &own)? {
+            return Ok(Some(known));
+        }
         let Some(reversed) = reversed(lowering, &own)? else { return Ok(None) };
         let reversed = lowering.closure(reversed);
         return lowering.counted(name, reversed, site).map(Some);
@@ -51,16 +57,22 @@ fn pulled<'a>(
         _ => None,
     });
     let (mut kept, mut within): (Vec<_>, Vec<_>) = (declared.collect(), Vec::new());
-    for param in function.tree.params.iter().filter(|it| it.items) {
-        match meaning_in(&own.scope.names, &param.name) {
+    let mut interrupted = None;
+    for (at, param) in function.tree.params.iter().filter(|it| it.items).enumerate() {
+        let may_go_on = match meaning_in(&own.scope.names, &param.name) {
             Some(&Value::Closure(of)) => {
-                if standard::needs_an_end(function) && !stays_ended(lowering, of) {
-                    return refused(site, refusals::BY_HAND);
-                }
+                let may_go_on = !stays_ended(lowering, of);
                 within.push((param.name.clone(), lowering.counted(name, of, site)?));
+                may_go_on
             }
             // An author's own iterator, which has its state itself.
-            _ => kept.push(param.name.clone()),
+            _ => {
+                kept.push(param.name.clone());
+                true
+            }
+        };
+        if at == 0 && may_go_on {
+            interrupted = standard::interrupted(function);
         }
     }
     own.way = Way::Forward;
@@ -78,13 +90,18 @@ fn pulled<'a>(
             kept.push(NUMBER.to_owned());
             texts[1] = texts[0].clone();
         }
-        if standard::ends_for_good(function) {
+        let flagged = match interrupted {
+            Some(Interrupted::Behind) => Some(behind_first as fn(&mut tree::Expr)),
+            _ => standard::ends_for_good(function).then_some(until_ended as fn(&mut tree::Expr)),
+        };
+        if let Some(change) = flagged {
             let not_yet = Expr::bool(false, inner.span(site));
             let ended = inner.let_local(format!("{name}_ended"), not_yet).root;
             inner.bind(ENDED, Value::Local(ended));
             kept.push(ENDED.to_owned());
-            texts.iter_mut().for_each(|text| until_ended(text));
+            texts.iter_mut().for_each(|text| change(text));
         }
+        texts.iter_mut().for_each(|text| with_count_behind(text, interrupted));
         own.scope.names.clone_from(&inner.scopes);
         Ok(is_counted)
     })?;
@@ -211,7 +228,7 @@ impl<'a> Lowering<'a, '_> {
             return copy_within(self, all, (name, *within));
         }
         let (taken, mut local, kept) = (hand.taken, hand.local, hand.kept);
-        let mut end = None;
+        let (mut end, mut copies) = (None, Vec::new());
         for name in &kept {
             let copy = match meaning_in(&all[0].scope.names, name) {
                 Some(&Value::Local(of)) => {
@@ -227,10 +244,11 @@ impl<'a> Lowering<'a, '_> {
                 }
                 _ => continue,
             };
-            for closure in &mut all {
-                closure.scope.names.push(Names::from_iter([(name.clone(), copy.clone())]));
-            }
+            copies.push((name.clone(), copy));
         }
+        let copies = Names::from_iter(copies);
+        all.iter_mut().for_each(|closure| closure.scope.names.push(copies.clone()));
+        let nested = hand.nested.and_then(|it| with_copies(self, &mut all, &it, &copies));
         if taken.is_some() {
             let Local { name, span, .. } = self.locals[local.index()].clone();
             local = self.let_local(name, Expr::local(local, &Type::USIZE, span)).root;
@@ -244,7 +262,11 @@ impl<'a> Lowering<'a, '_> {
         if hand.stateful {
             let below = hand.within.into_iter();
             let within = below.map(|(name, of)| (name, copy_counted(self, of))).collect();
-            return stateful(self, [counted, again], (taken, local), kept, within).0;
+            let (counted, _) = stateful(self, [counted, again], (taken, local), kept, within);
+            if let Some(hand) = self.hands.get_mut(&counted) {
+                hand.nested = nested;
+            }
+            return counted;
         }
         self.hand([counted, again], taken, local, kept).1
     }
@@ -323,6 +345,24 @@ fn until_ended(text: &mut tree::Expr) {
     *text = text.clone().without_flag(ENDED);
 }
 
+/// Lets the first loop of an adapter set a flag at its end, and run only while the flag is not set.
+fn behind_first(text: &mut tree::Expr) {
+    let Tree::Labelled(_, parts) = &mut text.kind else { return };
+    if let Some(Stmt::Expr(first)) = parts.stmts.first_mut() {
+        *first = first.clone().once(ENDED);
+    }
+}
+
+/// Adds the assignment of a count to the end of an adapter's loop. A loop that is left after an item has this value already.
+fn with_count_behind(text: &mut tree::Expr, interrupted: Option<Interrupted>) {
+    let (count, other) = match interrupted {
+        Some(Interrupted::Zero(count)) => (count, None),
+        Some(Interrupted::Anew(count, other)) => (count, Some(other)),
+        Some(Interrupted::Behind) | None => return,
+    };
+    *text = text.clone().with_count_behind(count, other);
+}
+
 /// Returns a local of an iterator's state.
 fn some_local(
     lowering: &Lowering,
@@ -337,6 +377,24 @@ fn some_local(
     });
     let below = || within.iter().find_map(|(_, of)| lowering.hands.get(of)).map(|it| it.local);
     own.or_else(below).unwrap_or(LocalId(0))
+}
+
+/// Returns the argument of the adapter `rev` as a counted iterator that takes items from the end. None if the argument is no
+/// borrowed iterator with a local that has its end.
+fn from_the_end<'a>(
+    lowering: &mut Lowering<'a, '_>,
+    through: &Closure<'a>,
+) -> Result<Option<usize>> {
+    let Tree::Each { source: rev, .. } = &through.text.body.kind else { return Ok(None) };
+    let (Source::Rev(of), site) = (&**rev, through.text.body.site) else { return Ok(None) };
+    let Source::Elements(of, _) = &**of else { return Ok(None) };
+    let named = lowering.in_scope_of(through, None, site, |inner| Ok(inner.iterator_named(of)))?;
+    let Some(hand) = named.and_then(|of| lowering.hands.get(&of)).cloned() else { return Ok(None) };
+    let Some((_, back)) = hand.last else { return Ok(None) };
+    let [back, again] = [back, hand.again].map(|of| (*lowering.closures[of]).clone());
+    let (counted, again) = (lowering.closure(back), lowering.closure(again));
+    lowering.hands.insert(counted, Hand { again, last: None, ..hand });
+    Ok(Some(counted))
 }
 
 /// Returns the argument of the adapter `rev` with its items in reverse, by a reversed loop over the innermost source. None

@@ -19,6 +19,7 @@ reasons! {
     STATEMENT: "this call returns `()`", "write it as a statement of its own";
     UNUSED_VALUE: "the result of this call is unused", "remove the call";
     BY_HAND: "this iterator does not support explicit `next` calls", "consume it in one `for`; or call `next` on `values.iter()` alone; or keep an index. For an iterator of your own, write `it.take(n)` before the other adapters";
+    NESTED_WRITES: "the closure of this `flat_map` writes or takes mutable references, and is called again by each explicit `next` call", "consume the iterator in one `for`; or write in the loop, instead of the closure";
     BOTH_ENDS: "this iterator does not support `next_back` calls", "call it on `values.iter()`, or with `map`, `filter` and the like behind it; or keep an index";
     UNKNOWN_LENGTH: "the number of items of this iterator is not known", "write `.count()`, or keep the number";
     LENT_TWICE: "two arguments refer to elements of one array", "pass the parts themselves, as `&mut [T]`, and choose the elements in the function; or exchange by index: `values.swap(i, j)`";
@@ -73,6 +74,7 @@ reasons! {
     CONSTANT_PATTERN: "a constant of this type cannot be a pattern", "compare with `==`";
     PATTERN: "this pattern cannot match a value of this type", "destructure arrays, tuples, structs and variants";
     INDEXED: "only arrays, slices, lists, matrices and vectors can be indexed", "use `[T; N]`, or a vector; of a type of your own: mark its `impl Index` `#[data]`";
+    CHOSEN_REFERENCE: "a mutable reference cannot be chosen by an `if` or a `match` here", "write in each branch: `if left { a += 1 } else { b += 1 }`; or choose an index: `let i = if left { 0 } else { 1 };`, and write to `values[i]`";
     NAMED_REFERENCE: "a reference variable must name a variable, a field or an element", "copy the value: `let x = *place;`; or pass the reference as an argument; or unwrap it: `let Some(x) = … else { … };`";
     TWO_INDEXINGS: "`Index` and `IndexMut` of this type return different places, and either may be meant here", "write one and the same body in both, or methods with names";
     LENDS_NOTHING: "this function must end in the place that it returns by reference", "end in `&self.field`";

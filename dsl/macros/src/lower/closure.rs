@@ -12,7 +12,6 @@ use super::handed::is_function;
 use super::names::{generating, plain, site, text};
 use super::refuse::Refusals;
 use super::signature::Names;
-use super::syntax::names;
 use super::walk::Lowering;
 use super::{pattern, refuse};
 
@@ -50,30 +49,6 @@ impl Lowering {
         stmts
     }
 
-    /// Declares a copy of each variable that a `move` closure captures and that may change, and binds its name in this
-    /// scope to the copy.
-    fn copies(&mut self, closure: &mut syn::ExprClosure) -> Vec<tree::Stmt> {
-        let Some(token) = closure.capture.take() else { return Vec::new() };
-        let parameter = |name: &str| closure.inputs.iter().any(|it| names(it, name));
-        let mut captured = self.mutable.clone();
-        captured.sort();
-        captured.dedup();
-        captured.retain(|name| names(&closure.body, name) && !parameter(name));
-        let site = site(&token);
-        let mut stmts = Vec::new();
-        for own in captured {
-            let Some(known) = self.local_name(&own).map(str::to_owned) else { continue };
-            if self.is_closure(&known) || self.is_called(&own) {
-                continue;
-            }
-            let name = self.hidden(&format!("{own}%"));
-            self.bind_as(&own, &name);
-            let value = Some(tree::Expr::local(&known, site));
-            stmts.push(tree::Stmt::Let { name, slot: NO_SLOT, value, site, mutable: true });
-        }
-        stmts
-    }
-
     /// Returns true if an expression names a function: its last segment has no capitals, since a constant may begin
     /// with a small letter.
     pub(super) fn names_function(&self, expr: &syn::Expr) -> bool {
@@ -102,6 +77,7 @@ impl Lowering {
             syn::Expr::Closure(closure) => {
                 let place = closure.clone();
                 let kind = self.scoped(|walk| {
+                    walk.copied_before(closure);
                     let mut looks = Vec::new();
                     let inputs = closure.inputs.iter();
                     let parameters = inputs.map(|it| walk.pattern(it, &mut looks)).collect();
@@ -162,7 +138,7 @@ impl Lowering {
         let label = (!Returns::of(|it| it.visit_expr(&closure.body)).is_empty())
             .then(|| self.hidden("answer"));
         let outer = std::mem::replace(&mut self.leaves, label.clone());
-        let mut body = self.value(&mut closure.body);
+        let mut body = self.in_body(&mut closure.body, Self::value);
         self.leaves = outer;
         if body.slot.is_none() {
             body.slot = Some(self.see(&mut closure.body));
@@ -200,15 +176,6 @@ impl Lowering {
                 let whole = tree::Expr { kind, site, slot: Some(result) };
                 tree::Block { stmts: Vec::new(), tail: Some(Box::new(whole)) }
             }
-        }
-    }
-
-    /// Checks the captures of a `move` closure: it copies, which equals a borrow if nobody changes the variable.
-    fn check_capture(&mut self, closure: &syn::ExprClosure) {
-        if let Some(token) = &closure.capture
-            && self.mutable.iter().any(|name| names(&closure.body, name))
-        {
-            self.refusals.add(token.span, refuse::CLOSURE_MOVE);
         }
     }
 }

@@ -96,8 +96,8 @@ impl Lowering {
                     }
                     pattern => (walk.pattern_of(lent, pattern, &mut looks), None),
                 };
-                let body =
-                    if value { walk.value(&mut arm.body) } else { walk.statement(&mut arm.body) };
+                let lower = if value { Lowering::value } else { Lowering::statement };
+                let body = walk.in_body(&mut arm.body, lower);
                 behind(&mut arm.body, looks);
                 tree::Arm { pattern, guard, body, site }
             }));
@@ -119,7 +119,7 @@ impl Lowering {
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
         let mut looks = Vec::new();
         let (condition, body) = self.scoped(|walk| {
-            let condition = walk.condition(&mut it.cond, &mut looks);
+            let condition = walk.repeated(|walk| walk.condition(&mut it.cond, &mut looks));
             (Some(Box::new(condition)), walk.branch(&mut it.body, false))
         });
         it.body.stmts.splice(0..0, looks);

@@ -22,6 +22,7 @@ mod hygiene;
 mod link;
 pub mod loops;
 pub mod macros;
+mod moved;
 mod names;
 mod operator;
 mod pattern;

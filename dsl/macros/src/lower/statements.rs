@@ -9,7 +9,7 @@ use super::names::{site, slot_name, text};
 use super::pattern::alone;
 use super::syntax::bare;
 use super::walk::Lowering;
-use super::{pattern, refuse, signature};
+use super::{moved, pattern, refuse, signature};
 
 impl Lowering {
     /// Lowers a block, which is the scope of its locals.
@@ -31,16 +31,19 @@ impl Lowering {
                 self.begins.push(self.here(stmts.len()));
             }
             let mut looks = Vec::new();
+            let (moved, at) = (self.begin_copies(moved::written(&stmt)), lowered.stmts.len());
             match &mut stmt {
                 syn::Stmt::Local(local) => lowered.stmts.extend(self.local(local, &mut looks)),
                 // The names that it brings end with its block, where rustc finds them.
                 syn::Stmt::Item(syn::Item::Use(it)) if !outermost => {
                     self.imports.push(it.clone());
+                    self.end_copies(moved);
                     stmts.push(stmt);
                     continue;
                 }
                 syn::Stmt::Item(item) => {
                     self.item(item);
+                    self.end_copies(moved);
                     continue;
                 }
                 syn::Stmt::Expr(expr, None) if index == last && !is_unit_control(expr) => {
@@ -53,6 +56,7 @@ impl Lowering {
                     lowered.stmts.extend(self.macro_call(&mut mac.mac).map(tree::Stmt::Expr));
                 }
             }
+            lowered.stmts.splice(at..at, self.end_copies(moved));
             stmts.push(stmt);
             stmts.extend(looks);
         }

@@ -56,6 +56,17 @@ pub struct Lowering {
     pub(super) leaves: Option<String>,
     /// Names that the function declares `mut`.
     pub mutable: Vec<String>,
+    /// Copies for `move` closures of the present statement; none where nothing can be declared before the closure.
+    pub(super) moved: Option<Moved>,
+}
+
+/// Copies that the present statement, or closure body, declares before itself.
+pub(super) struct Moved {
+    /// Names that it writes outside `move` closures.
+    pub(super) written: Vec<String>,
+    /// Number of scopes at its beginning, and of names in the innermost.
+    pub(super) known: (usize, usize),
+    pub(super) copies: Vec<tree::Stmt>,
 }
 
 /// Position of a statement: the counts of everything before it.
