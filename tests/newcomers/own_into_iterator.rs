@@ -1,4 +1,4 @@
-//! Readings that are gone through from the last one on, unless somebody asks for them in order.
+//! Readings that are iterated from the last one on, unless somebody asks for them in order.
 use bessemer::prelude::*;
 
 #[data]

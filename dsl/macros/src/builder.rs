@@ -328,7 +328,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         derivative: subject.asked.derivative.clone(),
     };
     let builder = builder(subject, scope, &tree, &parameters, &walk, (signature, &copy));
-    // What is lent has the lifetime that its author wrote, and so has what is iterated.
+    // A reference has the lifetime that its author wrote, and so has an iterator.
     let named = items.is_some() || expands || lower::borrows(signature);
     let told = if named { subject.signature } else { signature };
     let result = match items {

@@ -27,7 +27,7 @@ pub fn stands_for(ty: &syn::Type, generics: &syn::Generics) -> Option<StandsFor>
             let name = it.path.get_ident()?;
             bounds_of(generics, name).find_map(of_bound)
         }
-        // An iterator that is lent, of which the caller goes on with what is left.
+        // An iterator behind `&mut`: the caller goes on with the items that are left.
         syn::Type::Reference(it) if it.mutability.is_some() => {
             let of = stands_for(&it.elem, generics).filter(|it| it.items)?;
             let ty = of.ty;

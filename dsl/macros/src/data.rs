@@ -97,7 +97,7 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
     }
     let borrows = kind == Kind::Data && it.generics.lifetimes().next().is_some();
     check_fields(&it.fields, borrows, refusals);
-    // What is lent is reported at the field that holds it.
+    // A reference is reported at the field that holds it.
     if refusals.is_empty() {
         refuse_lifetimes(kind, &it.generics, refusals);
     }
@@ -207,7 +207,7 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
             },
             none,
         ),
-        // A derived one says nothing of its own; and whether an instance has one could not be asked here.
+        // A derived one has no code of its own; and an instance with one cannot be recognised here.
         Kind::Data if generic || derives("Default", &it.attrs) => (none.clone(), none),
         Kind::Data => (
             none,

@@ -68,7 +68,7 @@ struct Reads {
     borrowed: Option<Moment>,
 }
 
-/// What is known of the code around a read.
+/// Restrictions on a value at a read.
 #[derive(Clone, Copy)]
 struct Site {
     /// True if the read is conditional, or in an operation that may be skipped.
@@ -78,7 +78,7 @@ struct Site {
     allowed: Allowed,
 }
 
-/// Where nothing is known against a value.
+/// Site without restrictions.
 const ANYWHERE: Site = Site { conditional: false, checked: false, allowed: Allowed::Any };
 
 /// Moments of the next accesses and ends.
