@@ -61,7 +61,11 @@ fn marked(
     let mut function = match syn::parse2::<syn::Item>(item.clone()) {
         Ok(syn::Item::Fn(function)) => function,
         Ok(other) => {
-            refusals.add(refuse::first_token(&other), refuse::NOT_A_FUNCTION);
+            let reason = match &other {
+                syn::Item::Const(_) | syn::Item::Static(_) => refuse::NO_FUNCTION_BUT_A_CONSTANT,
+                _ => refuse::NOT_A_FUNCTION,
+            };
+            refusals.add(refuse::first_token(&other), reason);
             return with_errors(refusals, item);
         }
         Err(error) => return with_errors(Refusals::from(error), item),

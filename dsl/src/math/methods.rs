@@ -157,6 +157,6 @@ pub trait HasAtanh {}
 #[diagnostic::on_unimplemented(
     message = "`log` is not supported",
     label = "not supported",
-    note = "write `x.ln() / base.ln()`"
+    note = "write `x.ln()` or `x.log10()`; for another base `x.ln() / base.ln()`"
 )]
 pub trait HasLog {}

@@ -75,12 +75,34 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
                     && position(other) < position(one)
                     && around(other, sources) == around(one, sources)
             });
+        // A call of a function whose body has the value that its head does not declare: that body is the cause.
+        let is_void = |other: &Worded<'_, '_>| {
+            other.0.code == "E0308"
+                && line(other.0) == line(one.0)
+                && other.0.mark().is_some_and(|mark| mark.label.ends_with("found `()`"))
+        };
+        let no_result = all.iter().any(is_void)
+            && others().any(|(_, (other, _))| {
+                other.0.code == "E0308"
+                    && line(other.0) != line(one.0)
+                    && other.0.below().any(|it| it.contains("adding a return type"))
+            });
+        // Of two of ours at one place, the one that names more than a missing item.
+        let named_better =
+            one.1.as_ref().is_some_and(|words| words.title.ends_with("is not part of the DSL"))
+                && others().any(|(_, (other, _))| {
+                    other.1.as_ref().is_some_and(|it| !it.title.ends_with("is not part of the DSL"))
+                        && line(other.0) == line(one.0)
+                        && position(other) == position(one)
+                });
         let of_nothing = title(one).ends_with("cannot be indexed by `()`")
             && others().any(|(_, (other, _))| {
                 other.0.code == "E0571" && around(other, sources) == around(one, sources)
             });
         kept[index] &= !(within
             || of_nothing
+            || no_result
+            || named_better
             || elsewhere
             || refused_before
             || said_better

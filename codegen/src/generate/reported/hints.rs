@@ -32,6 +32,16 @@ pub fn of(message: &Message<'_>) -> Option<String> {
             _ => ORDER,
         }
         .to_owned(),
+        "E0107" if title.starts_with("missing generics for ") => {
+            let ty = marked.split('<').next().unwrap_or_default();
+            match message.mark()?.line.trim_start().starts_with("impl") {
+                true => format!("write `impl<T> {ty}<T>` for every type, or `impl {ty}<f64>` for one"),
+                false => format!("name the type that it is for: `{ty}<f64>`"),
+            }
+        }
+        "" if title.contains("non-macro attribute") && title.ends_with("macro `entry`") => {
+            "remove it: the attribute belongs on a method in an `impl` block marked `#[component]`; the fields of the component are in its C struct".to_owned()
+        }
         "E0308" => converted(message.mark()?.label).or_else(|| mismatched(message.mark()?))?,
         "E0061" if matches!(&*marked, "round" | "floor" | "ceil" | "trunc") => {
             format!("write `(100.0 * x).{marked}() / 100.0` for two digits")
@@ -198,6 +208,12 @@ fn mismatched(mark: &Mark<'_>) -> Option<String> {
     let is_optional = |it: &str| it.starts_with("`Option<");
     let remedy = match () {
         () if wanted == "`bool`" && is_float(found) => "compare the number: `x > 0.0`",
+        () if wanted == "`bool`" && is_integer(found) && mark.line.contains("&&") => {
+            "`&` joins bits and `&&` conditions: `flags & 0x03 != 0`"
+        }
+        () if wanted == "`bool`" && is_integer(found) && mark.line.contains("||") => {
+            "`|` joins bits and `||` conditions: `(a | b) != 0`"
+        }
         () if wanted == "`bool`" && is_integer(found) => "compare the number: `x != 0`",
         () if is_float(wanted) && found == "integer" => {
             let text = mark.text();

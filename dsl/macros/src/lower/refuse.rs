@@ -112,6 +112,7 @@ reasons! {
     ARGUMENTS: "this attribute takes no arguments", "remove them";
     DERIVATIVE: "`derivative` names a function and some of its parameters", "write `#[function(derivative(advance, state))]`";
     NOT_A_FUNCTION: "`#[function]` belongs on a free function", "mark a struct, an enum or an `impl` block `#[data]` or `#[component]`";
+    NO_FUNCTION_BUT_A_CONSTANT: "`#[function]` belongs on a free function", "remove it: a constant of numbers needs no attribute, and one of structs `#[data]`";
     REWRITTEN_CALL: "a `#[function(rewrite)]` can only call its own closures", "use `#[function(expand)]`, which can call other functions";
     METHOD_ALONE: "a method is marked through its `impl` block", "mark the `impl` block `#[data]` or `#[component]`, and remove `#[function]`";
     NOT_DATA: "this attribute belongs on a struct, an enum, an `impl` block or a constant", "mark a free function `#[function]`";
