@@ -9,7 +9,9 @@
 use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::visit::{Access, Visit, walk_expr, walk_stmt};
-use bessemer_ir::{Block, Expr, Fault, Function, Module, Place, Step, Stmt, StmtKind};
+use bessemer_ir::{
+    BinaryOp, Block, Expr, ExprKind, Fault, Function, Int, Module, Place, Step, Stmt, StmtKind,
+};
 
 use super::analysis::State;
 use super::faults::{self, Obligation};
@@ -159,7 +161,9 @@ impl Visit for Operations<'_, '_> {
         let operands = self.seen.len();
         walk_expr(self, expr);
         let needs = faults::of_expr(expr, &self.of.blind);
-        if !needs.is_empty() {
+        if is_rest(expr) {
+            self.of.found.checked.insert(Site::of_expr(expr));
+        } else if !needs.is_empty() {
             self.operation(Site::of_expr(expr), &needs, Some(erased(expr)), operands);
         }
     }
@@ -183,6 +187,14 @@ impl Visit for Operations<'_, '_> {
             container = self.of.module.step_type(ty, step);
         }
     }
+}
+
+/// Returns true for the largest number of an unsigned type minus another, which cannot fault. Checks of sums have it.
+fn is_rest(expr: &Expr) -> bool {
+    let ExprKind::Binary(BinaryOp::Sub, all, _) = &expr.kind else { return false };
+    let unsigned = expr.ty.as_int().filter(|int| Int::min(*int) == 0);
+    let largest = unsigned.map(|int| ExprKind::Literal(int.max() as u64));
+    largest.is_some_and(|largest| all.kind == largest)
 }
 
 #[cfg(test)]
