@@ -279,6 +279,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     let name = Some(&signature.ident).filter(|_| !implements);
     let mut walk = Lowering::new(name, subject.is_method(), std::mem::take(refusals));
     walk.mutable = lower::mutable_names(signature, &copy);
+    walk.aliases = lower::Aliases::of(&copy);
     for Parameter { param, ident, place, .. } in &mut parameters {
         if param.items && outside {
             walk.refusals.add(*place, refuse::ITERATOR_OUTSIDE);

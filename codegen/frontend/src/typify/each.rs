@@ -33,7 +33,7 @@ impl Lowering<'_, '_> {
             return Ok(());
         }
         if let Some(bound) = bound {
-            // What the loop cannot do is the cause, as of an iterator without a mark.
+            // An error of the loop itself comes before one of its bound.
             self.each_stmt(Each { bound: None, ..each })?;
             return refused(bound.site, refusals::SHOWN_BOUND);
         }

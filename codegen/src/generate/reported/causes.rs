@@ -87,7 +87,7 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
                     && line(other.0) != line(one.0)
                     && other.0.below().any(|it| it.contains("adding a return type"))
             });
-        // Of two of ours at one place, the one that names more than a missing item.
+        // A missing item says less than another of our messages at the same place.
         let named_better =
             one.1.as_ref().is_some_and(|words| words.title.ends_with("is not part of the DSL"))
                 && others().any(|(_, (other, _))| {

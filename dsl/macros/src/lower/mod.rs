@@ -10,6 +10,7 @@
 //!
 //! Must not know: types, or the meaning of a call.
 
+mod aliases;
 mod call;
 mod closure;
 mod control;
@@ -34,7 +35,9 @@ mod statements;
 mod strip;
 mod syntax;
 mod walk;
+mod written;
 
+pub use aliases::Aliases;
 pub use call::companion_name;
 pub use closure::{mutable_names, without_returns};
 pub use generator::{hand_on, items};

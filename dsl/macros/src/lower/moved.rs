@@ -7,16 +7,23 @@
 
 use bessemer_tree as tree;
 use bessemer_tree::ExprKind;
-use syn::visit::{self, Visit};
+use syn::visit::Visit;
 
-use super::names::{site, text};
+use super::names::site;
 use super::refuse;
-use super::syntax::{bare, names};
+use super::syntax::names;
 use super::walk::{Lowering, Moved};
+use super::written::{Named, Written};
 
 impl Lowering {
-    /// Begins a statement that writes these names; returns the copies of the statement around it.
-    pub(super) fn begin_copies(&mut self, written: Vec<String>) -> Option<Moved> {
+    /// Begins a statement that writes these names, and those that the aliases in it may write. Returns the copies of the
+    /// statement around it.
+    pub(super) fn begin_copies(
+        &mut self,
+        mut written: Vec<String>,
+        visit: impl FnOnce(&mut Named),
+    ) -> Option<Moved> {
+        written.extend(self.aliases.written_by(visit));
         let known = (self.scopes.len(), self.scopes.last().map_or(0, Vec::len));
         self.moved.replace(Moved { written, known, copies: Vec::new() })
     }
@@ -32,7 +39,7 @@ impl Lowering {
         body: &mut syn::Expr,
         lower: impl FnOnce(&mut Self, &mut syn::Expr) -> tree::Expr,
     ) -> tree::Expr {
-        let outer = self.begin_copies(Written::of(|it| it.head(body)));
+        let outer = self.begin_copies(Written::of(|it| it.head(body)), |it| it.visit_expr(body));
         let mut value = lower(self, body);
         let stmts = self.end_copies(outer);
         if !stmts.is_empty() {
@@ -126,135 +133,4 @@ impl Lowering {
 
 fn declares(stmt: &tree::Stmt, wanted: &str) -> bool {
     matches!(stmt, tree::Stmt::Let { name, .. } if name == wanted)
-}
-
-/// Returns the names that a statement may write outside `move` closures, and outside the blocks that come after its head.
-pub(super) fn written(stmt: &syn::Stmt) -> Vec<String> {
-    Written::of(|it| match stmt {
-        syn::Stmt::Local(local) => {
-            local.init.iter().for_each(|init| it.visit_expr(&init.expr));
-        }
-        syn::Stmt::Expr(expr, _) => it.head(expr),
-        other => it.visit_stmt(other),
-    })
-}
-
-/// Visitor that collects the names that may be written.
-struct Written(Vec<String>);
-
-impl Written {
-    fn of(visit: impl FnOnce(&mut Written)) -> Vec<String> {
-        let mut written = Written(Vec::new());
-        visit(&mut written);
-        written.0
-    }
-
-    /// Visits what runs before the blocks of a statement, each of which has statements of its own.
-    fn head(&mut self, expr: &syn::Expr) {
-        match expr {
-            syn::Expr::If(it) => {
-                self.visit_expr(&it.cond);
-                it.else_branch.iter().for_each(|(_, otherwise)| self.head(otherwise));
-            }
-            syn::Expr::Match(it) => {
-                self.visit_expr(&it.expr);
-                for arm in &it.arms {
-                    if let syn::Pat::Guard(it) = &arm.pat {
-                        self.visit_expr(&it.guard);
-                    }
-                }
-            }
-            syn::Expr::ForLoop(it) => self.visit_expr(&it.expr),
-            syn::Expr::While(it) => self.visit_expr(&it.cond),
-            syn::Expr::Block(_) | syn::Expr::Loop(_) | syn::Expr::Unsafe(_) => {}
-            other => self.visit_expr(other),
-        }
-    }
-
-    /// Notes the variable of a place.
-    fn note(&mut self, place: &syn::Expr) {
-        match bare(place) {
-            syn::Expr::Path(it) => self.0.extend(it.path.get_ident().map(text)),
-            syn::Expr::Field(it) => self.note(&it.base),
-            syn::Expr::Index(it) => self.note(&it.expr),
-            syn::Expr::Unary(it) => self.note(&it.expr),
-            syn::Expr::Tuple(it) => it.elems.iter().for_each(|part| self.note(part)),
-            syn::Expr::Array(it) => it.elems.iter().for_each(|part| self.note(part)),
-            syn::Expr::Reference(it) => self.note(&it.expr),
-            syn::Expr::MethodCall(it) => self.note(&it.receiver),
-            _ => {}
-        }
-    }
-}
-
-impl<'ast> Visit<'ast> for Written {
-    fn visit_expr_assign(&mut self, it: &'ast syn::ExprAssign) {
-        self.note(&it.left);
-        visit::visit_expr_assign(self, it);
-    }
-
-    fn visit_expr_binary(&mut self, it: &'ast syn::ExprBinary) {
-        // Of other operators the operands are values.
-        if is_assignment(&it.op) {
-            self.note(&it.left);
-        }
-        visit::visit_expr_binary(self, it);
-    }
-
-    fn visit_expr_reference(&mut self, it: &'ast syn::ExprReference) {
-        if it.mutability.is_some() {
-            self.note(&it.expr);
-        }
-        visit::visit_expr_reference(self, it);
-    }
-
-    fn visit_expr_method_call(&mut self, it: &'ast syn::ExprMethodCall) {
-        self.note(&it.receiver);
-        visit::visit_expr_method_call(self, it);
-    }
-
-    fn visit_pat_ident(&mut self, it: &'ast syn::PatIdent) {
-        // A name that a pattern binds, or a variable that it borrows.
-        self.0.push(text(&it.ident));
-    }
-
-    fn visit_expr_closure(&mut self, it: &'ast syn::ExprClosure) {
-        if it.capture.is_none() {
-            visit::visit_expr_closure(self, it);
-        }
-    }
-
-    fn visit_macro(&mut self, it: &'ast syn::Macro) {
-        fn all(tokens: proc_macro2::TokenStream, found: &mut Vec<String>) {
-            for token in tokens {
-                match token {
-                    proc_macro2::TokenTree::Ident(ident) => found.push(text(&ident)),
-                    proc_macro2::TokenTree::Group(group) => all(group.stream(), found),
-                    _ => {}
-                }
-            }
-        }
-        all(it.tokens.clone(), &mut self.0);
-    }
-}
-
-/// Returns true for `+=` and its like.
-fn is_assignment(op: &syn::BinOp) -> bool {
-    use syn::BinOp::{
-        AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, DivAssign, MulAssign, RemAssign,
-        ShlAssign, ShrAssign, SubAssign,
-    };
-    matches!(
-        op,
-        AddAssign(_)
-            | SubAssign(_)
-            | MulAssign(_)
-            | DivAssign(_)
-            | RemAssign(_)
-            | BitXorAssign(_)
-            | BitAndAssign(_)
-            | BitOrAssign(_)
-            | ShlAssign(_)
-            | ShrAssign(_)
-    )
 }

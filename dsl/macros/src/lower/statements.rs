@@ -9,7 +9,8 @@ use super::names::{site, slot_name, text};
 use super::pattern::alone;
 use super::syntax::bare;
 use super::walk::Lowering;
-use super::{moved, pattern, refuse, signature};
+use super::written::written;
+use super::{pattern, refuse, signature};
 
 impl Lowering {
     /// Lowers a block, which is the scope of its locals.
@@ -31,7 +32,8 @@ impl Lowering {
                 self.begins.push(self.here(stmts.len()));
             }
             let mut looks = Vec::new();
-            let (moved, at) = (self.begin_copies(moved::written(&stmt)), lowered.stmts.len());
+            let (moved, at) =
+                (self.begin_copies(written(&stmt), |it| it.stmt(&stmt)), lowered.stmts.len());
             match &mut stmt {
                 syn::Stmt::Local(local) => lowered.stmts.extend(self.local(local, &mut looks)),
                 // The names that it brings end with its block, where rustc finds them.

@@ -6,6 +6,7 @@ use bessemer_tree as tree;
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
+use super::aliases::Aliases;
 use super::names::{UNIT, generating, slot_name, span, text};
 use super::refuse::{Place, Reason, Refusals};
 
@@ -56,6 +57,8 @@ pub struct Lowering {
     pub(super) leaves: Option<String>,
     /// Names that the function declares `mut`.
     pub mutable: Vec<String>,
+    /// Names through which statements of the function may write others.
+    pub aliases: Aliases,
     /// Copies for `move` closures of the present statement; none where nothing can be declared before the closure.
     pub(super) moved: Option<Moved>,
 }
