@@ -136,7 +136,7 @@ fn programs(
             count => Err(Error::Lints { count }),
         }
     };
-    let messages = build(&["--workspace"], true)?;
+    let messages = build(&["--workspace", "--features", "unified/tests"], true)?;
     let (mut programs, documented) = (Program::of(&messages), documented(&messages));
     // Features of a package alone: in a workspace build they would reach the models of every test. With the settings of
     // a generation build, so that it is not built once more.
@@ -192,7 +192,7 @@ fn mutants(trials: &mutate::Trials, share: Share, voice: &stages::Voice) -> Resu
     Ok(Done { title: title.to_owned(), passed, spent: Spent::since(start) })
 }
 
-/// Runs the examples of these packages' documentation.
+/// Runs the examples of these packages' documentation, with the crates of the tests' build.
 fn documentation(
     root: &Path,
     packages: &BTreeSet<String>,
@@ -200,7 +200,7 @@ fn documentation(
 ) -> Result<Done, Error> {
     let start = Instant::now();
     let mut command = project::cargo(root, &["test", "--doc"]);
-    command.args(packages.iter().flat_map(|package| ["--package", package]));
+    command.args(packages.iter().flat_map(|package| ["--package", package])).args(project::UNIFIED);
     let passed = stages::captured(project::lint(&mut command), voice)?.success();
     Ok(Done { title: "documentation tests".to_owned(), passed, spent: Spent::since(start) })
 }

@@ -91,15 +91,18 @@ fn packages() -> Vec<Value> {
 }
 
 /// Cargo builds a package once for each set of features. `xtask/unified/Cargo.toml` requests what the tests request, so
-/// that the compiler, and all below it, is built once for both; and what a package whose own test finds a mutant, and the
-/// ground station, depend on.
+/// that the compiler, and all below it, is built once for both; and what depends on it in part: a package whose own test
+/// finds a mutant, those whose documentation has examples, and the ground station.
 #[test]
 fn what_a_part_needs_is_built_once() {
     let of_tests = built(&["--workspace", "--edges", "normal,build,dev"]);
     let mut twice = built(&["--package", "xtask", "--edges", "normal,build"]);
-    let finders = packages_that_tell().into_iter().map(|package| (package, "normal,build,dev"));
-    for (package, edges) in finders.chain([("ground".to_owned(), "normal,build")]) {
-        let mut part = vec!["--package", &package, "--edges", edges];
+    let tested = packages_that_tell().into_iter().map(|package| vec![package]);
+    let tested = tested.chain([packages_with_examples()]);
+    let tested = tested.map(|packages| (packages, "normal,build,dev"));
+    for (packages, edges) in tested.chain([(vec!["ground".to_owned()], "normal,build")]) {
+        let mut part = vec!["--edges", edges];
+        part.extend(packages.iter().flat_map(|package| ["--package", package]));
         part.extend(UNIFIED);
         twice.extend(built(&part).into_iter().filter(|it| !it.starts_with("unified ")));
     }
@@ -116,6 +119,16 @@ fn packages_that_tell() -> BTreeSet<String> {
         command.split_whitespace().next().map(str::to_owned)
     };
     texts.filter_map(package).collect()
+}
+
+/// Returns the packages whose documentation has examples.
+fn packages_with_examples() -> Vec<String> {
+    let has = |package: &Value| {
+        let targets = package["targets"].as_array().into_iter().flatten();
+        targets.into_iter().any(|target| target["doctest"] == true)
+    };
+    let packages = packages().into_iter().filter(has);
+    packages.filter_map(|package| package["name"].as_str().map(str::to_owned)).collect()
 }
 
 /// Checks that macros and tests' builds share one set of features for the crates below both, so that cargo builds them
