@@ -2,7 +2,7 @@
 //! lost. A run takes one input in 4,093 from a start that the commit gives; `BESSEMER_FULL` takes each of them, which is
 //! for an optimised build, and `UPDATE_DOCS` writes what came of that to `bench/results/single.json`:
 //! Another word than 1 is the name of the only function to take.
-//! `BESSEMER_FULL=1 UPDATE_DOCS=1 cargo test --release -p bessemer --test narrow -- --test-threads=1`.
+//! `BESSEMER_FULL=1 UPDATE_DOCS=1 cargo test --profile fast -p bessemer --test narrow -- --test-threads=1`.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -83,7 +83,7 @@ fn record(name: &str, inputs: u64, most: f64, at: &str) {
     let ulp = (most * 1e4).round() / 1e4;
     functions.insert(name.to_owned(), json!({ "inputs": inputs, "ulp": ulp, "at": at }));
     let all = json!({
-        "command": "BESSEMER_FULL=1 UPDATE_DOCS=1 cargo test --release -p bessemer --test narrow -- --test-threads=1",
+        "command": "BESSEMER_FULL=1 UPDATE_DOCS=1 cargo test --profile fast -p bessemer --test narrow -- --test-threads=1",
         "reference": "the functions of f64",
         "functions": functions,
     });

@@ -1,6 +1,6 @@
 //! The page in a real Chromium: only where `BESSEMER_FULL` is 1 (`cargo xtask test --full`), since a browser is long to install.
 //!
-//! `BESSEMER_REACH=600 cargo test --release -p ground --test page -- smooth --nocapture` flies it for so many seconds,
+//! `BESSEMER_REACH=600 cargo test --profile fast -p ground --test page -- smooth --nocapture` flies it for so many seconds,
 //! and writes how many messages and pictures there were to `docs/results/smooth.md`.
 //!
 //! `BESSEMER_PICTURES=docs/figures` writes the pictures that README and results show.

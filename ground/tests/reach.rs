@@ -1,6 +1,6 @@
 //! Capacity of the ground station in real time, measured only if `BESSEMER_REACH` sets a number of seconds.
 //!
-//! `BESSEMER_REACH=600 cargo test --release -p ground --test reach -- --nocapture`, on a machine that does nothing else, writes
+//! `BESSEMER_REACH=600 cargo test --profile fast -p ground --test reach -- --nocapture`, on a machine that does nothing else, writes
 //! `docs/results/reach.md`. A page moves the sticks twenty times a second, each time to another place, by which the
 //! period is known in which the software has taken it: its motors' command is there at the end of it. Beside it an echo
 //! keeps the same period, which tells how many of them the machine itself misses.

@@ -29,8 +29,11 @@ pub struct Handed {
 }
 
 /// Simulated flights, identification and campaigns.
-pub const SIMULATION: Handed =
-    Handed { package: "sim-program", build: &["--release"], stage: "building the simulation" };
+pub const SIMULATION: Handed = Handed {
+    package: "sim-program",
+    build: &["--profile", "fast"],
+    stage: "building the simulation",
+};
 
 /// The ground station and the testbed. With the features of [`UNIFIED`], no crate of xtask is built again for it.
 pub const GROUND: Handed =
