@@ -3,6 +3,7 @@
 //! Invariants: the module runs the emitted C, compiled by this machine's gcc or clang; types and names come from the
 //! interface. It must not know what the C computes.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -159,9 +160,10 @@ fn structure(text: &mut String, face: &Interface, it: &Struct, order: Order) {
     }
     let own =
         |entry: &&Entry| entry.parameters.first().is_some_and(|first| first.value.ty == it.name);
-    let taken: Vec<&str> = named.iter().map(|(name, _)| name.as_str()).collect();
+    // A field of the component would hide a method.
+    let mut taken: BTreeSet<String> = named.iter().map(|(name, _)| name.clone()).collect();
     for entry in face.entries.iter().filter(own) {
-        method(text, face, entry, order, &taken);
+        method(text, face, entry, order, &mut taken);
     }
     let _ = write!(
         text,
@@ -275,14 +277,56 @@ fn check(face: &Interface, name: &str, value: &str, of: &Value) -> Option<String
 
 /// Words of Python's that C and Rust leave free, and names that a method uses itself.
 const TAKEN: &[&str] = &[
-    "_array", "_check", "_flag", "_integer", "_library", "_passed", "_within", "and", "assert",
-    "class", "ctypes", "def", "del", "elif", "except", "finally", "from", "global", "import", "is",
-    "lambda", "nonlocal", "not", "numpy", "or", "pass", "raise", "self", "try", "with", "yield",
+    "False",
+    "None",
+    "True",
+    "_array",
+    "_check",
+    "_flag",
+    "_integer",
+    "_integers",
+    "_items",
+    "_library",
+    "_passed",
+    "_within",
+    "and",
+    "assert",
+    "class",
+    "ctypes",
+    "def",
+    "del",
+    "elif",
+    "except",
+    "finally",
+    "from",
+    "global",
+    "import",
+    "is",
+    "lambda",
+    "nonlocal",
+    "not",
+    "numpy",
+    "or",
+    "pass",
+    "raise",
+    "self",
+    "try",
+    "with",
+    "yield",
 ];
 
 /// A name as Python takes it: `lambda_`.
 fn python_name(name: &str) -> String {
     if TAKEN.contains(&name) { format!("{name}_") } else { name.to_owned() }
+}
+
+/// A name that Python accepts and `taken` lacks, with as many `_` added as this needs.
+fn unique(name: &str, taken: &mut BTreeSet<String>) -> String {
+    let mut name = python_name(name);
+    while !taken.insert(name.clone()) {
+        name.push('_');
+    }
+    name
 }
 
 /// A name of the module as Python takes it: those that the module has itself are taken, too.
@@ -370,21 +414,25 @@ fn integer(kind: &str) -> Option<(i128, i128)> {
 }
 
 /// An entry point as a method. What it writes through pointers of its own is its result.
-fn method(text: &mut String, face: &Interface, entry: &Entry, order: Order, taken: &[&str]) {
-    let mut own = python_name(entry.rust.rsplit("::").next().unwrap_or(&entry.name));
-    // A field of the component would hide it.
-    while taken.contains(&own.as_str()) {
-        own.push('_');
-    }
-    let others = &entry.parameters[1..];
-    let taken: String = (others.iter().filter(|it| it.passing != Passing::Output))
-        .map(|it| format!(", {}", python_name(&it.name)))
+fn method(
+    text: &mut String,
+    face: &Interface,
+    entry: &Entry,
+    order: Order,
+    taken: &mut BTreeSet<String>,
+) {
+    let own = unique(entry.rust.rsplit("::").next().unwrap_or(&entry.name), taken);
+    let mut names = BTreeSet::new();
+    let named = entry.parameters[1..].iter().map(|it| (unique(&it.name, &mut names), it));
+    let others: Vec<_> = named.collect();
+    let taken: String = (others.iter().filter(|(_, it)| it.passing != Passing::Output))
+        .map(|(name, _)| format!(", {name}"))
         .collect();
     let _ = write!(text, "\n    def {own}(self{taken}):\n        {}\n", docs(&entry.docs));
     let mut passed = vec!["ctypes.byref(self)".to_owned()];
     let mut results = Vec::new();
-    for it in others {
-        let (name, ty) = (python_name(&it.name), &it.value.ty);
+    for (name, it) in others {
+        let ty = &it.value.ty;
         let enumeration = face.enumeration(ty).is_some();
         match (it.passing, element(face, ty), it.value.dimensions.is_empty()) {
             (Passing::Value, _, true) if enumeration => {
@@ -471,6 +519,14 @@ mod tests {
     #[test]
     fn words_of_python_are_no_names() {
         assert_eq!((python_name("lambda"), python_name("gain")), ("lambda_".into(), "gain".into()));
+    }
+
+    #[test]
+    fn equal_names_get_another_end() {
+        let mut taken = BTreeSet::from(["step".to_owned()]);
+        let names = ["step", "step_", "lambda_", "lambda", "_items"];
+        let unique = names.map(|name| unique(name, &mut taken));
+        assert_eq!(unique, ["step_", "step__", "lambda_", "lambda__", "_items_"]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Recordings as MCAP files: messages of one topic in JSON, a row each, in the order of their log times.
 //!
-//! The first topic is taken whose first message has all columns. Python writes `NaN` and `Infinity` into JSON, which are read as the
-//! numbers that they name.
+//! The first topic is taken whose first message has all columns; a note names others like it. Python writes `NaN` and `Infinity`
+//! into JSON, which are read as the numbers that they name.
 //!
 //! Must not know: types of columns, and what the cells mean.
 
@@ -27,35 +27,53 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted<'_>) -> Result<Table, Wrong> {
     let sorted = messages.is_sorted_by_key(|it| it.time);
     messages.sort_by_key(|it| it.time);
     let mut topics: Vec<String> = Vec::new();
-    let mut incomplete = None;
+    let (mut complete, mut incomplete, mut broken) = (Vec::new(), None, None);
     for (first, message) in messages.iter().enumerate() {
         if topics.contains(&message.topic) {
             continue;
         }
         topics.push(message.topic.clone());
-        let Ok(value) = parsed(&message.text) else { continue };
+        let value = match parsed(&message.text) {
+            Ok(value) => value,
+            Err(source) => {
+                let place = place(0, &message.topic);
+                broken = broken.or(Some(Wrong::Json { place, source }));
+                continue;
+            }
+        };
         let has = |name: &str| cell(&value, name).is_some();
         match wanted.present(has, Vec::new) {
-            Ok(present) => {
-                let of_topic = messages[first..].iter().filter(|it| it.topic == message.topic);
-                let mut table = rows(of_topic, wanted, present)?;
-                if !sorted {
-                    table
-                        .notes
-                        .push("messages sorted by log time; the file has another order".to_owned());
-                }
-                return Ok(table);
-            }
+            Ok(present) => complete.push((first, present)),
             Err(wrong) if wanted.found(has) > 0 => incomplete = incomplete.or(Some(wrong)),
             Err(_) => {}
         }
     }
-    match (incomplete, &topics[..]) {
-        (Some(Wrong::Column { column, wanted, .. }), [only]) => {
-            Err(Wrong::Column { column, wanted, found: format!("other fields of `{only}`") })
-        }
-        _ => Err(Wrong::Topic { wanted: wanted.listed(), found: listed(&topics) }),
+    let mut complete = complete.into_iter();
+    let Some((first, present)) = complete.next() else {
+        return Err(match (broken, incomplete, &topics[..]) {
+            (Some(broken), ..) => broken,
+            (None, Some(Wrong::Column { column, wanted, .. }), [only]) => {
+                Wrong::Column { column, wanted, found: format!("other fields of `{only}`") }
+            }
+            _ => Wrong::Topic { wanted: wanted.listed(), found: listed(&topics) },
+        });
+    };
+    let topic = &messages[first].topic;
+    let mut table =
+        rows(messages[first..].iter().filter(|it| it.topic == *topic), wanted, present)?;
+    if !sorted {
+        table.notes.push("messages sorted by log time; the file has another order".to_owned());
     }
+    let others: Vec<String> = complete.map(|(at, _)| messages[at].topic.clone()).collect();
+    if !others.is_empty() {
+        table.notes.push(format!("`{topic}` read; {} left out", listed(&others)));
+    }
+    Ok(table)
+}
+
+/// The place of a message among those of its topic.
+fn place(index: usize, topic: &str) -> String {
+    format!("message {} of `{topic}`", index + 1)
 }
 
 /// The rows of a topic.
@@ -66,7 +84,7 @@ fn rows<'t>(
 ) -> Result<Table, Wrong> {
     let mut rows = Vec::new();
     for (index, message) in messages.enumerate() {
-        let place = format!("message {} of `{}`", index + 1, message.topic);
+        let place = place(index, &message.topic);
         let value = match parsed(&message.text) {
             Ok(value) => value,
             Err(source) => return Err(Wrong::Json { place, source }),

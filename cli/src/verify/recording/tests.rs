@@ -181,6 +181,10 @@ fn messages_are_rows_in_the_order_of_their_log_times() {
     let (calls, notes) = read_text(&recorded(&[("/log", 1, FLAT)])).expect("a recording");
     assert!(calls[0].starts_with("1.5 2.5 0 8 0 0.1"), "{calls:?}");
     assert!(notes.is_empty(), "{notes:?}");
+
+    let others = [("/bad", 0, "{nan}"), ("/a", 1, FLAT), ("/b", 2, FLAT), ("/c", 3, FLAT)];
+    let (calls, notes) = read_text(&recorded(&others)).expect("a recording");
+    assert_eq!((calls.len(), &*notes), (1, &["`/a` read; `/b`, `/c` left out".to_owned()][..]));
 }
 
 #[test]
@@ -196,6 +200,7 @@ fn messages_that_cannot_be_rows_are_reported() {
             "message 2 of `/log` has 1 columns, and the first 5",
         ),
         (recorded(&[good, ("/log", 2, "{nan}")]), "message 2 of `/log` is no JSON: "),
+        (recorded(&[other, ("/log", 1, "{nan}"), good]), "message 1 of `/log` is no JSON: "),
         (recorded(&[good, ("/log", 2, r#"{"n": NaN"#)]), "message 2 of `/log` is no JSON: "),
         (recorded(&[]), "none of its topics"),
     ];
