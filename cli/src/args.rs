@@ -207,7 +207,7 @@ pub struct Verify {
     /// CSV has a column for each input number, such as `gains.p`; MCAP has messages in JSON; bessemer.toml maps the topics of a log.
     #[arg(long, value_name = "FILE")]
     pub inputs: Option<PathBuf>,
-    /// The entry point that was recorded, where there are several: `Motor::step`
+    /// The entry point that was recorded, where there are several: `Motor::step`, or `motor_step` as in the C
     #[arg(long, value_name = "NAME", requires = "inputs")]
     pub entry: Option<String>,
     /// Also write the recorded calls with their results and states into this file, as CSV

@@ -198,11 +198,11 @@ fn unchecked(module: &Module) -> impl Iterator<Item = Diagnostic> + '_ {
             let Some(file) = module.files.get(function.span.file as usize) else { continue };
             let (name, parameter) = (&function.name, &parameter.name);
             let message = format!(
-                "`{name}` is infallible, and does not check `{parameter}`: the firmware may pass no variant of `{}`",
+                "`{name}` is infallible, and does not check `{parameter}`: the firmware may pass a value that is no variant of `{}`",
                 of.name
             );
             let help = format!(
-                "write `#[entry]`, which returns a status and checks it, or `#[c(fallback)]` above the variant as which it shall count; without, no variant takes the last arm of each `match`, and is `{}` elsewhere",
+                "write `#[entry]`, which returns a status and checks it, or `#[c(fallback)]` above the variant as which such a value counts; otherwise it takes the last arm of each `match`, and is `{}` elsewhere",
                 variant.name
             );
             let site = Site(function.span.line, function.span.column);

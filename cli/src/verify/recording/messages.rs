@@ -43,13 +43,13 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted<'_>) -> Result<Table, Wrong> {
         };
         let has = |name: &str| cell(&value, name).is_some();
         match wanted.present(has, Vec::new) {
-            Ok(present) => complete.push((first, present)),
+            Ok(present) => complete.push((first, present, names(&value))),
             Err(wrong) if wanted.found(has) > 0 => incomplete = incomplete.or(Some(wrong)),
             Err(_) => {}
         }
     }
     let mut complete = complete.into_iter();
-    let Some((first, present)) = complete.next() else {
+    let Some((first, present, names)) = complete.next() else {
         return Err(match (broken, incomplete, &topics[..]) {
             (Some(broken), ..) => broken,
             (None, Some(Wrong::Column { column, wanted, .. }), [only]) => {
@@ -64,7 +64,8 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted<'_>) -> Result<Table, Wrong> {
     if !sorted {
         table.notes.push("messages sorted by log time; the file has another order".to_owned());
     }
-    let others: Vec<String> = complete.map(|(at, _)| messages[at].topic.clone()).collect();
+    table.notes.extend(wanted.beside(&names));
+    let others: Vec<String> = complete.map(|(at, ..)| messages[at].topic.clone()).collect();
     if !others.is_empty() {
         table.notes.push(format!("`{topic}` read; {} left out", listed(&others)));
     }
@@ -153,6 +154,30 @@ fn named_numbers_quoted(text: &[u8]) -> Cow<'_, [u8]> {
         rest = others;
     }
     if any { Cow::Owned(quoted) } else { Cow::Borrowed(text) }
+}
+
+/// The names of all numbers and texts in a message, as columns have them.
+fn names(value: &Value) -> Vec<String> {
+    match value {
+        Value::Object(fields) => {
+            let parts = |(name, part): (&String, &Value)| parts(part, name);
+            fields.iter().flat_map(parts).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn parts(value: &Value, name: &str) -> Vec<String> {
+    let within: Vec<(String, &Value)> = match value {
+        Value::Object(fields) => {
+            fields.iter().map(|(field, part)| (format!("{name}.{field}"), part)).collect()
+        }
+        Value::Array(all) => {
+            all.iter().enumerate().map(|(at, part)| (format!("{name}[{at}]"), part)).collect()
+        }
+        _ => return vec![name.to_owned()],
+    };
+    within.iter().flat_map(|(name, part)| parts(part, name)).collect()
 }
 
 /// The text of a field: by the column's name, or by its parts, one within the other.

@@ -18,6 +18,9 @@ use bessemer_ir::{Float, Form, Function, Int, Local, Module, Scalar, Type};
 
 pub use error::Wrong;
 
+/// Number of names that a note lists.
+const FEW: usize = 4;
+
 /// Recorded calls, and what a reader of the result has to know of them.
 pub struct Recording {
     /// Words of the arguments of each call, without those of the component.
@@ -115,6 +118,23 @@ impl<'m> Wanted<'m> {
         self.columns(present)
             .zip(cells)
             .any(|(column, cell)| column.word(self.module, cell).is_some())
+    }
+
+    /// A note on names of a recording that are parts of parameters by their beginning, and that no parameter has.
+    fn beside(&self, names: &[String]) -> Option<String> {
+        let is_part = |name: &str| {
+            let rest = |it: &Parameter<'_>| name.strip_prefix(it.local.name.as_str());
+            let mut rests = self.parameters.iter().filter_map(rest);
+            rests.any(|rest| rest.starts_with(['.', '[']))
+        };
+        let others: Vec<String> = names.iter().filter(|it| is_part(it)).cloned().collect();
+        let others: Vec<String> =
+            others.into_iter().filter(|name| self.found(|it| it == name) == 0).collect();
+        let more = others.len().saturating_sub(FEW);
+        let shown = listed(&others[..others.len() - more]);
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        (!others.is_empty())
+            .then(|| format!("{shown}{more} left out: no parameter has such a part"))
     }
 
     /// The parameters whose columns a recording has. One of which it has none may be absent if it has a default.

@@ -41,7 +41,8 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted<'_>) -> Result<Table, Wrong> {
     let places =
         wanted.columns(&present).map(|it| position(&it.name)).collect::<Result<Vec<_>, _>>()?;
 
-    let mut table = Table { rows: Vec::new(), present, notes: Vec::new() };
+    let notes = wanted.beside(&head).into_iter().collect();
+    let mut table = Table { rows: Vec::new(), present, notes };
     let mut is_first = true;
     let offset = lines.number;
     let mut reader = csv::ReaderBuilder::new();

@@ -47,7 +47,7 @@ fn read_text(bytes: &[u8]) -> Result<(Vec<String>, Vec<String>), String> {
 #[test]
 fn tables_of_each_kind_are_read() {
     let no_gains = "`gains` has its defaults: no column";
-    let cases: [(&str, &str, &[&str]); 12] = [
+    let cases: [(&str, &str, &[&str]); 14] = [
         (
             "gains.p,gains.i,mode,n,on,a[0],a[1]\n1.5,2.5,Run,7,true,-1.5,4.5\n",
             "1.5 2.5 1 7 1 -1.5 4.5",
@@ -80,6 +80,19 @@ fn tables_of_each_kind_are_read() {
         ("mode,n,on,a[0],a[1]\n3,7.00,TRUE,NaN,inf\n", "2 0.5 0 7 1 NaN inf", &[no_gains]),
         ("t,t,mode,n,on,a[0],a[1]\n1,2,3,7,1,-1.5,4.5\n", "2 0.5 0 7 1 -1.5 4.5", &[no_gains]),
         ("mode,n,on,a[0],a[1]\n\n 3 , 7 ,1,-1.5,4.5\n,,,,\n", "2 0.5 0 7 1 -1.5 4.5", &[no_gains]),
+        (
+            "mode,n,on,a[0],a[1],a[2] [V],at,gains.P\n3,7,1,-1.5,4.5,0,1,2\n",
+            "2 0.5 0 7 1 -1.5 4.5",
+            &["`a[2]`, `gains.P` left out: no parameter has such a part", no_gains],
+        ),
+        (
+            "mode,n,on,a[0],a[1],a[2],a[3],a[4],a[5],a[6]\n3,7,1,-1.5,4.5,0,1,2,3,4\n",
+            "2 0.5 0 7 1 -1.5 4.5",
+            &[
+                "`a[2]`, `a[3]`, `a[4]`, `a[5]` and 1 more left out: no parameter has such a part",
+                no_gains,
+            ],
+        ),
     ];
     for (text, words, notes) in cases {
         let expected = (vec![words.to_owned()], notes.iter().map(ToString::to_string).collect());
@@ -181,6 +194,10 @@ fn messages_are_rows_in_the_order_of_their_log_times() {
     let (calls, notes) = read_text(&recorded(&[("/log", 1, FLAT)])).expect("a recording");
     assert!(calls[0].starts_with("1.5 2.5 0 8 0 0.1"), "{calls:?}");
     assert!(notes.is_empty(), "{notes:?}");
+
+    let long = FLAT.replace(r#""a[1]""#, r#""x": 1, "a": [0, {"b": 2}], "a[1]""#);
+    let (_, notes) = read_text(&recorded(&[("/log", 1, &long)])).expect("a recording");
+    assert_eq!(notes, ["`a[1].b` left out: no parameter has such a part"]);
 
     let others = [("/bad", 0, "{nan}"), ("/a", 1, FLAT), ("/b", 2, FLAT), ("/c", 3, FLAT)];
     let (calls, notes) = read_text(&recorded(&others)).expect("a recording");
