@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use bessemer_backend::c::interface::{Entry, Field, Interface, Struct, Value};
+use bessemer_backend::c::interface::{Entry, Field, Interface, Parameter, Struct, Value};
 use bessemer_backend::c::names::Passing;
 use bessemer_codegen::compile::{Compiled, Layout};
 use bessemer_legs::process;
@@ -114,6 +114,12 @@ impl Order {
 fn structure(text: &mut String, face: &Interface, it: &Struct, order: Order) {
     let class = module_name(&it.name);
     let _ = write!(text, "\n\nclass {class}(_Struct):\n    {}\n\n", docs(&it.docs));
+    if it.scratch {
+        // Its parts may share memory, and none has a meaning between calls.
+        let bytes = it.size.int_enums;
+        let _ = writeln!(text, "    _fields_ = [(\"_memory\", ctypes.c_ubyte * {bytes})]");
+        return;
+    }
     // Those that share their memory.
     let (shared, own): (Vec<_>, Vec<_>) =
         it.fields.iter().partition(|field| union(field).is_some());
@@ -425,7 +431,9 @@ fn method(
     let mut names = BTreeSet::new();
     let named = entry.parameters[1..].iter().map(|it| (unique(&it.name, &mut names), it));
     let others: Vec<_> = named.collect();
-    let taken: String = (others.iter().filter(|(_, it)| it.passing != Passing::Output))
+    let is_scratch = |ty: &str| face.structure(ty).is_some_and(|of| of.scratch);
+    let is_taken = |it: &Parameter| it.passing != Passing::Output && !is_scratch(&it.value.ty);
+    let taken: String = (others.iter().filter(|(_, it)| is_taken(it)))
         .map(|(name, _)| format!(", {name}"))
         .collect();
     let _ = write!(text, "\n    def {own}(self{taken}):\n        {}\n", docs(&entry.docs));
@@ -466,6 +474,10 @@ fn method(
                     let _ = writeln!(text, "        {check}");
                 }
                 passed.push(format!("{name}.ctypes.data_as(ctypes.c_void_p)"));
+            }
+            (_, None, true) if is_scratch(ty) => {
+                let _ = writeln!(text, "        {name} = {}()", module_name(ty));
+                passed.push(format!("ctypes.byref({name})"));
             }
             (Passing::Output, _, true) => {
                 let new = element(face, ty)

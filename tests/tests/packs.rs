@@ -57,10 +57,10 @@ pub mod watch {
         pub fix: Option<f64>,
     }
 
-    /// All that actuators do.
+    /// All that actuators do. Its name contains a type of C.
     #[data]
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
-    pub struct Command {
+    pub struct Setpoint {
         /// Torques.
         pub torque: [f64; 2],
         /// Mode that holds.
@@ -86,14 +86,14 @@ pub mod watch {
             measurement_speed: f64,
             timestamp: u32,
             input: i8,
-        ) -> Command {
+        ) -> Setpoint {
             self.calls += 1 + timestamp;
             let fix = measurement.fix.unwrap_or(0.5);
             let slope = f64::from(measurement.axes[1].slope);
             let first = gains.error * (measurement.speed - measurement_speed) + fix;
             let second = slope + f64::from(measurement.attitude[(1, 0)]) + f64::from(input);
             let mode = if measurement.well[2] { measurement.mode } else { Mode::Hold };
-            Command { torque: [first, second], mode }
+            Setpoint { torque: [first, second], mode }
         }
 
         /// The mode before the last.
@@ -311,7 +311,7 @@ int main()
     input.measurement_mode = 1;
     input.input_2 = -3;
     const bool good = watch.new_watch_step(input, output);
-    (void)printf("%d %g %g %d %d ", good, output.command_torque[0], output.command_torque[1], output.command_mode, output.status);
+    (void)printf("%d %g %g %d %d ", good, output.setpoint_torque[0], output.setpoint_torque[1], output.setpoint_mode, output.status);
     input.measurement_axes_0_mode = 3;
     AP_NewWatch::NewWatchStopInput stop{1};
     AP_NewWatch::NewWatchStopOutput stopped{};

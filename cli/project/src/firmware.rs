@@ -131,7 +131,9 @@ impl Call<'_> {
 /// Returns true if a value is a single number, not an enum or a struct.
 fn is_number(value: &Value) -> bool {
     let known = ["bool", "float", "double"].contains(&value.ty.as_str());
-    value.dimensions.is_empty() && (known || value.ty.contains("int"))
+    let integer = value.ty.trim_start_matches('u').strip_prefix("int");
+    let bits = integer.and_then(|it| it.strip_suffix("_t")).map(str::parse::<u32>);
+    value.dimensions.is_empty() && (known || matches!(bits, Some(Ok(_))))
 }
 
 /// A program around each component that calls all of its entry points in turn, with the stem of the component's names:

@@ -234,7 +234,9 @@ fn observed() -> String {
         let words =
             by_rows(&given).into_iter().chain(place).chain(by_rows(&observer.gains)).chain(slopes);
         let words: Vec<String> = words.map(|it| format!("{:016x}", it.to_bits())).collect();
-        text += &format!("{} {} {}\n", words.join(" "), observer.sign, observer.calls);
+        let spread = observer.spread(n).to_bits();
+        let (sign, calls) = (observer.sign, observer.calls);
+        text += &format!("{} {spread:016x} {sign} {calls}\n", words.join(" "));
     }
     text + "faulted\n"
 }
@@ -301,7 +303,7 @@ for n in range(255):
     weights = numpy.array([0.3, n * 0.01, 0.999], dtype="float32")
     given = observer.step(tuning, measured, drift, weights, 5001)
     assert given.shape == (3, 2)
-    print(words(given, observer.place, drift, observer.gains, observer.told[1].slopes), observer.sign, observer.calls)
+    print(words(given, observer.place, drift, observer.gains, observer.told[1].slopes, [observer.spread(n)]), observer.sign, observer.calls)
 try:
     observer.step(tuning, measured, drift, weights, 5001)
 except motor.Fault as fault:
