@@ -5,7 +5,7 @@
 
 use std::fmt::Write as _;
 
-use bessemer_backend::c::interface::{Entry, Interface, Struct, Value};
+use bessemer_backend::c::interface::{Entry, Interface, Parameter, Struct, Value};
 use bessemer_backend::c::names::Passing;
 use bessemer_backend::c::{CFile, comment_text};
 
@@ -55,13 +55,22 @@ pub fn declared(name: &str, value: &Value) -> String {
     format!("{} {name}{dimensions}", value.ty)
 }
 
+/// Formats an argument from the variable at `place`. C converts no pointer to arrays to one to constant arrays.
+pub fn argument(parameter: &Parameter, place: &str) -> String {
+    let Value { ty, dimensions, .. } = &parameter.value;
+    let inner: String = dimensions.iter().skip(1).flatten().map(|it| format!("[{it}]")).collect();
+    match parameter.passing {
+        Passing::Value => place.to_owned(),
+        _ if dimensions.is_empty() => format!("&{place}"),
+        Passing::Input if !inner.is_empty() => format!("(const {ty} (*){inner}){place}"),
+        _ => place.to_owned(),
+    }
+}
+
 impl Call<'_> {
     /// Formats the call, with its result in `result`.
     pub fn text(&self) -> String {
-        let arguments = self.entry.parameters.iter().map(|it| {
-            let by_address = it.passing != Passing::Value && it.value.dimensions.is_empty();
-            format!("{}{}", if by_address { "&" } else { "" }, it.name)
-        });
+        let arguments = self.entry.parameters.iter().map(|it| argument(it, &it.name));
         let call = format!("{}({})", self.entry.name, arguments.collect::<Vec<_>>().join(", "));
         match (&self.entry.result, self.entry.status) {
             (Some(value), _) => format!("const {} result = {call};", value.ty),

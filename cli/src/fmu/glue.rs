@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use bessemer_backend::c::interface::{Enum, Interface, Parameter};
-use bessemer_backend::c::names::Passing;
 use bessemer_codegen::compile::Compiled;
+use bessemer_project::firmware::argument;
 
 use super::variables::{Causality, STATE, Variable, flag_place, parameter_place, result_place};
 use super::{Call, Unit, description};
@@ -100,8 +100,7 @@ fn one_call(values: &mut Values<'_>, at: usize, call: &Call<'_>, indent: &str) -
         if number > 0 {
             values.add(it, &place);
         }
-        let by_address = it.passing != Passing::Value && it.value.dimensions.is_empty();
-        passed.push(format!("{}values->{place}", if by_address { "&" } else { "" }));
+        passed.push(argument(it, &format!("values->{place}")));
     }
     let call = format!("{}({})", entry.name, passed.join(", "));
     match &entry.result {

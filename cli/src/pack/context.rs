@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use bessemer_backend::c::interface::{Entry as Face, Interface, Parameter, Value};
 use bessemer_backend::c::names::Passing;
 use bessemer_codegen::compile::Compiled;
-use bessemer_project::firmware::{Call, calls, declared};
+use bessemer_project::firmware::{Call, argument, calls, declared};
 use bessemer_project::{Project, build_files};
 use serde::Serialize;
 
@@ -303,8 +303,7 @@ fn entry(
                 name
             }
         };
-        let by_address = it.passing != Passing::Value && it.value.dimensions.is_empty();
-        arguments.push(format!("{}{name}", if by_address { "&" } else { "" }));
+        arguments.push(argument(it, &name));
     }
     let call = format!("{}({})", own.name, arguments.join(", "));
     let call = match (&own.result, own.status) {

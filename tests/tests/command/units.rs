@@ -62,8 +62,8 @@ impl Filter {
 
     /// Corrects.
     #[entry]
-    pub fn correct(&mut self, call: u8, place: &Place) -> Place {
-        self.result = place.x + f64::from(call + 1);
+    pub fn correct(&mut self, call: u8, place: &Place, table: &[[u8; 2]; 3]) -> Place {
+        self.result = place.x + f64::from(call + 1) + f64::from(table[2][1]);
         Place { x: self.result, mode: place.mode }
     }
 
