@@ -7,14 +7,13 @@ use bessemer_ir::tree::visit::{VisitMut, walk_expr_mut};
 use bessemer_ir::tree::{
     self, Builtin, Desugared, EACH, ExprKind as Tree, Pattern, Source, Start, Together,
 };
-use bessemer_ir::{Expr, LocalId, Scalar, Stmt, StmtKind, Type};
+use bessemer_ir::{Expr, LocalId, Scalar, StmtKind, Type};
 
 use super::items::handing;
 use super::lowering::Lowering;
 use super::numbers::float;
 use super::rewrite::rewritten;
 use super::value::Value;
-use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
 impl Lowering<'_, '_> {
@@ -53,36 +52,23 @@ impl Lowering<'_, '_> {
         };
         let (ty, span) = (self.slot_of(expr)?, self.span(expr.site));
         let local = self.local(called.unwrap_or(name), ty.clone(), span);
-        let (_, begun) = self.in_block(|inner| {
+        self.naming_scope(|inner| {
+            let mut each = each.clone();
             let value = match start {
-                Start::Tried(value) => inner.goes_on(value, expr)?,
+                Start::Tried(value) => {
+                    // Rust creates the iterator before it computes what to begin with.
+                    inner.create_items(&mut each)?;
+                    inner.goes_on(value, expr)?
+                }
                 Start::Sum => inner.neutral(0.0, &ty, expr)?,
                 Start::Product => inner.neutral(1.0, &ty, expr)?,
                 // Every element is assigned; that is shown to the validator by a value before.
                 Start::Elements => inner.zero(&ty, span),
             };
             inner.emit(StmtKind::Let { local, value: Some(value) }, span);
-            Ok(())
+            inner.bind(name, Value::Local(local));
+            inner.effect(&each)
         })?;
-        let (_, mut passes) = self.in_block(|inner| {
-            inner.naming_scope(|inner| {
-                inner.bind(name, Value::Local(local));
-                inner.effect(each)
-            })
-        })?;
-        if let Start::Tried(_) = start {
-            // Rust creates the iterator before it computes what to begin with. Where a block is around the loop, the
-            // statements before the loop remain with it.
-            let first = passes.iter().position(|stmt| matches!(stmt.kind, StmtKind::For { .. }));
-            let source: Vec<_> = passes.drain(..first.unwrap_or(0)).collect();
-            self.out.extend(source);
-            if let Some(Stmt { kind: StmtKind::For { from, to, .. }, .. }) = passes.first_mut() {
-                for (bound, role) in [from, to].into_iter().zip(words::BOUNDS) {
-                    *bound = self.atom(role, bound.clone());
-                }
-            }
-        }
-        self.out.extend(begun.into_iter().chain(passes));
         Ok(local)
     }
 

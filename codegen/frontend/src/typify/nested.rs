@@ -3,13 +3,18 @@
 //! A local counts the items of the first iterator that are finished, and another the parts that were taken of the present
 //! one. Each loop makes the present item anew, and continues after these parts.
 //!
-//! Invariant: whatever yields the items and their parts writes nothing, so it yields the same ones when it is evaluated again.
+//! Invariant: whatever yields the items and their parts writes nothing and calls no external function, so it yields the same
+//! ones when it is evaluated again.
 //! Any other such iterator is refused.
 //!
 //! Must not know: which methods consume an iterator.
 
+use std::collections::BTreeSet;
+
 use bessemer_ir::tree::visit::{Visit, Walk, walk_pattern};
-use bessemer_ir::tree::{self, Builtin, EACH, ExprKind as Tree, Pattern, Site, Source, Stmt, Ty};
+use bessemer_ir::tree::{
+    self, Builtin, Callee, EACH, ExprKind as Tree, Pattern, Site, Source, Stmt, Ty,
+};
 use bessemer_ir::{Expr, LocalId, Type};
 
 use super::by_hand::{Change, begun_of};
@@ -236,10 +241,16 @@ fn is_exclusive(ty: &Ty) -> bool {
 }
 
 fn may_write(lowering: &Lowering, expr: &tree::Expr) -> bool {
+    if let Some(Callee::Function(path)) = lowering.operator(expr.slot)
+        && calls_external(lowering, path)
+    {
+        return true;
+    }
     match &expr.kind {
         Tree::Assign(_, place, _) | Tree::Ref(true, place) => changes(lowering, place).is_some(),
         Tree::Apply(name, _) => name != EACH,
         Tree::Call(_, arguments) => match lowering.called(expr) {
+            Some((function, _)) if calls_external(lowering, &function.path) => true,
             Some((function, _)) => {
                 let params = function.tree.params.iter();
                 params.zip(arguments).any(|(param, argument)| {
@@ -256,6 +267,24 @@ fn may_write(lowering: &Lowering, expr: &tree::Expr) -> bool {
         },
         _ => false,
     }
+}
+
+/// Returns true if the function at a path may call an external one, which may count its calls.
+fn calls_external(lowering: &Lowering, path: &str) -> bool {
+    let (mut seen, mut open) = (BTreeSet::new(), vec![path]);
+    while let Some(path) = open.pop() {
+        let function = lowering.cx.calls.all.get(path);
+        let Some(function) = function.filter(|_| seen.insert(path)) else { continue };
+        if function.tree.attributes.external.is_some() {
+            return true;
+        }
+        let operators = function.operators.iter().map(|(_, callee)| callee);
+        open.extend(function.callees.iter().chain(operators).filter_map(|callee| match callee {
+            Callee::Function(path) => Some(path.as_str()),
+            Callee::Builtin(_) => None,
+        }));
+    }
+    false
 }
 
 /// Returns true for a variable that a call may write: no number, which a method takes by value, and no element of a loop.

@@ -19,7 +19,7 @@ reasons! {
     STATEMENT: "this call returns `()`", "write it as a statement of its own";
     UNUSED_VALUE: "the result of this call is unused", "remove the call";
     BY_HAND: "this iterator does not support explicit `next` calls", "consume it in one `for`; or call `next` on `values.iter()` alone; or keep an index. For an iterator of your own, write `it.take(n)` before the other adapters";
-    NESTED_WRITES: "the closure of this `flat_map` writes or takes mutable references, and is called again by each explicit `next` call", "consume the iterator in one `for`; or write in the loop, instead of the closure";
+    NESTED_WRITES: "the closure of this `flat_map` writes, takes mutable references or calls an external function, and is called again by each explicit `next` call", "consume the iterator in one `for`; or write and call in the loop, instead of the closure";
     BOTH_ENDS: "this iterator does not support `next_back` calls", "call it on `values.iter()`, or with `map`, `filter` and the like behind it; or keep an index";
     UNKNOWN_LENGTH: "the number of items of this iterator is not known", "write `.count()`, or keep the number";
     LENT_TWICE: "two arguments refer to elements of one array", "pass the parts themselves, as `&mut [T]`, and choose the elements in the function; or exchange by index: `values.swap(i, j)`";

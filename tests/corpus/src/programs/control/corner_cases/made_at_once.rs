@@ -31,6 +31,45 @@ pub fn folded(count: u32) -> (u32, u32) {
     (sum, count)
 }
 
+/// The iterator of a `try_fold` is constructed before the initial value, whatever it is.
+#[function]
+pub fn tried(values: [u32; 4], count: u32, kind: u8) -> (Option<u32>, u32) {
+    let (mut values, mut count) = (values, count);
+    let sum = match kind % 7 {
+        0 => counts(&mut count).try_fold(bump(&mut count), |sum, value| sum.checked_add(value)),
+        1 => values.map(|value| value ^ 1).iter().try_fold(
+            {
+                values[1] = count;
+                bump(&mut count)
+            },
+            |sum: u32, value| sum.checked_add(*value),
+        ),
+        2 => [count, 7, count]
+            .iter()
+            .try_fold(bump(&mut count), |sum: u32, value| sum.checked_sub(*value)),
+        3 => (Halves { left: count & 63 })
+            .take(6)
+            .try_fold(bump(&mut count), |sum: u32, value| sum.checked_sub(value)),
+        4 => keyed(values.into_iter(), &mut count)
+            .try_fold(bump(&mut count), |sum: u32, value| sum.checked_add(value)),
+        5 => values.into_iter().skip(count as usize & 3).try_fold(
+            {
+                values = [9; 4];
+                bump(&mut count)
+            },
+            |sum: u32, value| sum.checked_add(value),
+        ),
+        _ => (count..count.saturating_add(3)).chain(values).try_fold(
+            {
+                values[0] = 1;
+                bump(&mut count)
+            },
+            |sum: u32, value| sum.checked_add(value),
+        ),
+    };
+    (sum, count ^ values[0] ^ values[1])
+}
+
 /// A named iterator is constructed before the statements that follow.
 #[function]
 pub fn named(count: u32) -> (u32, u32) {
