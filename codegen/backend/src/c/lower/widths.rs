@@ -4,7 +4,7 @@
 //! that compilers compute, do not count; nor do conversions between integers, which add at most a word.
 
 use bessemer_ir::visit::{Visit, walk_expr, walk_stmt};
-use bessemer_ir::{Expr as Ir, ExprKind, Float, Scalar, Span, Stmt, StmtKind, Type};
+use bessemer_ir::{Expr as Ir, ExprKind, Fault, Float, Scalar, Span, Stmt, StmtKind, Type};
 
 use super::super::wide::{Wide, Width};
 use super::Lower;
@@ -91,6 +91,10 @@ impl Found<'_, '_> {
 
 impl Visit for Found<'_, '_> {
     fn stmt(&mut self, stmt: &Stmt) {
+        if matches!(stmt.kind, StmtKind::Check { fault: Fault::LeftOut, .. }) {
+            // A proved check is in the C only to test the proofs.
+            return;
+        }
         if let StmtKind::For { variable, ended: false, .. } = &stmt.kind {
             let long = self.lower.function.local(*variable).ty.as_int();
             let counted = self.lower.counters[variable.index()].is_some();
