@@ -9,6 +9,7 @@ use bessemer_ir::visit::Walk;
 use bessemer_ir::{ExprKind, Fault, Module, Span, Type};
 
 use crate::deep::deep;
+use bessemer_backend::c::given::{Conflict, Taken};
 use bessemer_backend::c::interface::Interface;
 use bessemer_backend::c::{self, CFile, EntryReport, FunctionReport, Site, Width};
 use bessemer_backend::kernels::replace::Replacement;
@@ -62,7 +63,7 @@ pub fn compile(
     let compiled = deep(|| {
         let typed = typify::typify(package, sources, options.layout == Layout::Columns)?;
         gate(&typed.0)?;
-        of_module(typed, &package.license, options)
+        of_module(typed, Some(sources), &package.license, options)
     });
     compiled.map_err(|errors| errors.into_iter().map(|it| by_deref(package, it)).collect())
 }
@@ -90,12 +91,13 @@ impl Compiled {
     ///
     /// All errors in it, at the author's lines.
     pub fn anew(&self, options: &Options) -> Result<Compiled, Vec<Diagnostic>> {
-        deep(|| of_module((self.module.clone(), self.typed), &self.license, options))
+        deep(|| of_module((self.module.clone(), self.typed), None, &self.license, options))
     }
 }
 
 fn of_module(
     (module, typed): (Module, Typed),
+    sources: Option<&Sources>,
     license: &str,
     options: &Options,
 ) -> Result<Compiled, Vec<Diagnostic>> {
@@ -107,27 +109,8 @@ fn of_module(
     let explicit = passes::lend(explicit, &options.kernels, options.layout != Layout::Array);
     gate(&explicit)?;
     let plan = c::Plan::new(&explicit, options);
-    let other = |span: &Span| Place {
-        file: file_of(&module, *span),
-        start: (span.line, span.column),
-        end: (0, 0),
-        label: "also here".to_owned(),
-    };
-    let taken: Vec<_> = plan
-        .conflicts()
-        .iter()
-        .map(|it| Diagnostic {
-            also: it.others.iter().map(other).collect(),
-            help: match &it.taken {
-                c::given::Taken::Made(_) => {
-                    "name one of them otherwise in the C: `#[c(name = \"…\")]`"
-                }
-                _ => "give it another name, or leave the name to Bessemer",
-            }
-            .to_owned(),
-            ..place(&module, it.span, &it.taken)
-        })
-        .collect();
+    let taken: Vec<_> =
+        plan.conflicts().iter().map(|it| conflicting(&module, sources, it)).collect();
     if !taken.is_empty() {
         return Err(taken);
     }
@@ -311,6 +294,9 @@ fn ruled_out(fault: Fault, reason: &str) -> String {
         (Fault::Clamp, _) => {
             "write `x.max(low).min(high)`, whose bounds may be in any order; or compare before: `if low <= high { x.clamp(low, high) } else { low }`".to_owned()
         }
+        (Fault::Assertion, _) => {
+            "return before where the condition does not hold: `if !(x >= 0.0) { return 0.0; }`".to_owned()
+        }
         _ => "exclude the fault by a comparison before".to_owned(),
     }
 }
@@ -326,6 +312,28 @@ fn place(module: &Module, span: bessemer_ir::Span, message: &dyn std::fmt::Displ
 }
 
 /// Returns the source file of a span.
+/// Returns the error for a conflict of names, at each of its places.
+fn conflicting(module: &Module, sources: Option<&Sources>, it: &Conflict) -> Diagnostic {
+    let is_made = matches!(it.taken, Taken::Made(_));
+    let file = file_of(module, it.span);
+    let mut fields =
+        it.fields.iter().filter_map(|field| sources?.field(&file, it.span.line, field));
+    let mut reported = place(module, it.span, &it.taken);
+    if let (Some((line, column)), true) = (fields.next(), is_made) {
+        (reported.line, reported.column) = (line, column);
+    }
+    let also =
+        |file, start| Place { file, start, label: "also here".to_owned(), ..Place::default() };
+    let others =
+        it.others.iter().map(|span| also(file_of(module, *span), (span.line, span.column)));
+    reported.also = others.chain(fields.map(|start| also(file.clone(), start))).collect();
+    let help = match is_made {
+        true => "name one of them otherwise in the C: `#[c(name = \"…\")]`",
+        false => "give it another name, or leave the name to Bessemer",
+    };
+    Diagnostic { help: help.to_owned(), ..reported }
+}
+
 fn file_of(module: &Module, span: Span) -> String {
     module.files.get(span.file as usize).cloned().unwrap_or_default()
 }

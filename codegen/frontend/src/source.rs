@@ -44,6 +44,22 @@ impl Sources {
         self.file(file).lines.get((line as usize).checked_sub(1)?).cloned()
     }
 
+    /// Returns line and column of a field, by its name in the struct that begins in a line.
+    pub fn field(&self, file: &str, item: u32, name: &str) -> Option<(u32, u32)> {
+        let file = self.file(file);
+        let lines = (item..).zip(file.lines.get((item as usize).checked_sub(1)?..)?);
+        let own = lines.take_while(|(line, text)| *line == item || !text.starts_with('}'));
+        let begins = |text: &str| {
+            let at = text.find(&format!("{name}:")).filter(|at| {
+                !text[..*at].contains("//")
+                    && !text[..*at].ends_with(|it: char| it.is_alphanumeric() || it == '_')
+            });
+            at.map(|at| text[..at].chars().count() as u32 + 1)
+        };
+        let mut places = own.filter_map(|(line, text)| Some((line, begins(text)?)));
+        places.next()
+    }
+
     /// Returns the text of a file; empty if it cannot be read.
     pub fn text(&self, file: &str) -> String {
         std::fs::read_to_string(self.root.join(file)).unwrap_or_default()

@@ -36,6 +36,8 @@ pub struct Conflict {
     pub taken: Taken,
     /// Places of the other items that would have the name.
     pub others: Vec<Span>,
+    /// Fields of the item at the place that would have the name, by their names in Rust; the first is the one reported.
+    pub fields: Vec<String>,
 }
 
 /// Returns all conflicts, each with its places.
@@ -133,15 +135,21 @@ impl Found {
                 own.init.iter().for_each(|init| self.global(init, span));
             }
             for (field, name) in item.fields.iter().zip(&own.fields) {
-                if field.given.name.is_none() {
-                    if own.fields.iter().filter(|it| *it == name).count() > 1 {
-                        self.note(item.span, Taken::Made(name.replace(OVERLAY, "")), &[]);
-                    }
-                    continue;
-                }
                 let name = name.strip_prefix(OVERLAY).unwrap_or(name);
-                let twice = own.fields.iter().filter(|it| it.trim_start_matches(OVERLAY) == name);
-                self.inner(name, at(&field.given, item.span), twice.count() > 1);
+                let others = item.fields.iter().zip(&own.fields).filter(|(other, own)| {
+                    other.name != field.name && own.trim_start_matches(OVERLAY) == name
+                });
+                let others: Vec<String> = others.map(|(other, _)| other.name.clone()).collect();
+                if field.given.name.is_some() && is_keyword(name) {
+                    self.note(at(&field.given, item.span), Taken::Reserved(name.to_owned()), &[]);
+                } else if !others.is_empty() {
+                    let (span, taken) = match field.given.name {
+                        Some(_) => (at(&field.given, item.span), Taken::Twice(name.to_owned())),
+                        None => (item.span, Taken::Made(name.to_owned())),
+                    };
+                    let fields = std::iter::once(field.name.clone()).chain(others).collect();
+                    self.note_fields(span, taken, fields);
+                }
             }
         }
         for (item, own) in module.enums.iter().zip(&names.enums) {
@@ -174,7 +182,12 @@ impl Found {
     /// Adds a conflict with the items at other places.
     fn note(&mut self, span: Span, taken: Taken, others: &[Span]) {
         let others = others.iter().copied().filter(|it| *it != span && it.line > 0).collect();
-        self.list.push(Conflict { span, taken, others });
+        self.list.push(Conflict { span, taken, others, fields: Vec::new() });
+    }
+
+    /// Adds a conflict between fields of one item.
+    fn note_fields(&mut self, span: Span, taken: Taken, fields: Vec<String>) {
+        self.list.push(Conflict { span, taken, others: Vec::new(), fields });
     }
 
     /// Returns true if two items would have this name.
@@ -199,15 +212,6 @@ impl Found {
         } else if self.is_twice(name) {
             let others = self.wanted[name].clone();
             self.note(span, Taken::Twice(name.to_owned()), &others);
-        }
-    }
-
-    /// Checks the name of a field.
-    fn inner(&mut self, name: &str, span: Span, twice: bool) {
-        if is_keyword(name) {
-            self.note(span, Taken::Reserved(name.to_owned()), &[]);
-        } else if twice {
-            self.note(span, Taken::Twice(name.to_owned()), &[]);
         }
     }
 

@@ -3,11 +3,14 @@
 //!
 //! The types select the function. Its definition may follow its use, so it is lowered at the first use.
 
+use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Argument, CompareOp, Expr, ExprKind, FunctionId, LogicOp, Mode, StructId, Type};
 
 use super::literal::is_unsuffixed_float;
 use super::lowering::Lowering;
+use crate::diagnostic::Place;
+
 use super::{
     Context, Problem, Result, diagnostic, function, problem, refusals, refused, struct_of,
 };
@@ -24,7 +27,7 @@ impl<'a> Context<'a> {
                     let id = self.add(lowered);
                     self.calls.lowered.insert(function.path.clone(), id);
                 }
-                Err(problem) => self.tell(&function.file, problem),
+                Err(problem) => self.tell_in(function, problem),
             }
         }
         self.calls.lowered.get(path).copied()
@@ -44,6 +47,38 @@ impl<'a> Context<'a> {
         if !problem.message.is_empty() {
             self.told.push(diagnostic(file, problem));
         }
+    }
+
+    /// Reports a problem in a function. For an instance of a generic function it also shows a call of that instance, which
+    /// chose the types.
+    fn tell_in(&mut self, function: &tree::Function, problem: Problem) {
+        let before = self.told.len();
+        self.tell(&function.file, problem);
+        let call = if function.generics.is_empty() { None } else { self.call_of(&function.path) };
+        self.told[before..].iter_mut().for_each(|told| told.also.extend(call.clone()));
+    }
+
+    /// Returns the first place of a call of a function.
+    fn call_of(&self, path: &str) -> Option<Place> {
+        let is_called = |callee: &tree::Callee| matches!(callee, tree::Callee::Function(called) if called == path);
+        let callers = self.package.functions.iter().filter(|it| it.path != path);
+        callers.filter(|it| it.callees.iter().any(is_called)).find_map(|caller| {
+            let mut sites = Vec::new();
+            caller.tree.body.each_expr(|expr| {
+                if let tree::ExprKind::Call(callee, _) = &expr.kind
+                    && caller.callees.get(*callee as usize).is_some_and(is_called)
+                {
+                    sites.push(expr.site);
+                }
+            });
+            let Site(line, column) = *sites.first()?;
+            Some(Place {
+                file: caller.file.clone(),
+                start: (line, column),
+                label: "called here with these types".to_owned(),
+                ..Place::default()
+            })
+        })
     }
 
     /// Records the implementations of traits that authors wrote for their types.
