@@ -1,9 +1,25 @@
-//! Slices split into parts, each passed to `__each`: core's `split`, `split_inclusive` and `chunk_by`.
+//! Slices split into elements and parts, each passed to `__each`: core's `iter`, `split`, `split_inclusive` and `chunk_by`.
 //!
 //! Invariants: the closure is called with each element, or each pair, once and in order; no statement follows
 //! `__each` in its pass.
 
 use crate::function;
+
+/// Iterates over the elements, where the syntax does not show a slice: `self.iter()` in an interface of arrays.
+#[function(expand)]
+pub fn iter<T>(values: &[T], mut __each: impl FnMut(&T)) {
+    for value in values {
+        __each(value);
+    }
+}
+
+/// Iterates over the elements, which may be written.
+#[function(expand)]
+pub fn iter_mut<T>(values: &mut [T], mut __each: impl FnMut(&mut T)) {
+    for value in values {
+        __each(value);
+    }
+}
 
 /// Splits at the elements for which `is_end` is true, which belong to no part. The last part follows the last of
 /// these, and may be empty.

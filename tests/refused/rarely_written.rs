@@ -42,12 +42,12 @@ pub fn read<T: Copy>(value: T) -> T {
     value
 }
 
-/// Assigned later, both.
+/// Assigned later.
 #[function]
 pub fn later(x: f64) -> f64 {
-    let [a, b];
-    [a, b] = [x, 2.0 * x];
-    a + b
+    let Gains { p };
+    Gains { p } = Gains { p: x };
+    p + x
 }
 
 /// One behind the other, of which one is turned round, beside a third.

@@ -1,7 +1,8 @@
 //! The `use` declarations of the author's file for crates whose functions and traits the DSL replaces.
 //! Examples: `use libm::{sqrtf, atan2f};`, `use num_traits::Zero;`.
 //!
-//! A macro sees its own item alone, and rustc resolves names later, so the file itself is read, once for each build.
+//! A macro sees its own item alone, and rustc resolves names later, so the file itself is read, once for each build. So is the file of
+//! the module above, if a name comes from there: `use super::Float;`.
 //! A name that a function binds is the function's own. Where there is no file, as in an editor, nothing is known, and a bare
 //! name stays as it is.
 //!
@@ -10,7 +11,7 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ops::RangeInclusive;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use proc_macro2::Span;
@@ -23,6 +24,12 @@ use crate::words::{self, Word};
 
 /// The crates whose names are looked up.
 const CRATES: [&str; 3] = ["libm", "num_traits", "nalgebra"];
+
+/// Beginnings of a path into a file above, which may import the name: `use super::Float;`, `use crate::*;`.
+const ABOVE: [&str; 2] = ["super", "crate"];
+
+/// Number of files that are followed for a name.
+const FOLLOWED: u32 = 8;
 
 /// An import: the lines in which it holds, the name there (`*` for all), and the whole path.
 struct Import {
@@ -84,7 +91,7 @@ pub fn in_module_of_its_name(name: &syn::Ident) -> bool {
 
 /// The whole path of an imported name.
 fn whole(name: &syn::Ident) -> Option<Vec<String>> {
-    let (_, file) = file_of(name.span())?;
+    let (path, file) = file_of(name.span())?;
     let (text, line) = (text(name), name.span().start().line);
     let module = |lines: &RangeInclusive<usize>| {
         let inner = |of: &RangeInclusive<usize>| {
@@ -93,22 +100,80 @@ fn whole(name: &syn::Ident) -> Option<Vec<String>> {
         file.modules.iter().any(|(_, of)| inner(of) && of.contains(&line))
     };
     let reaches = |it: &&Import| it.lines.contains(&line) && !module(&it.lines);
-    let named = file.imports.iter().filter(|it| it.name == text).filter(reaches);
-    let found = named.min_by_key(|it| it.lines.end() - it.lines.start());
-    found.map(|it| it.path.clone())
+    let reaching: Vec<&Import> = file.imports.iter().filter(reaches).collect();
+    let found = nearest(&reaching, &text)?;
+    let is_within = file.modules.iter().any(|(_, lines)| *lines == found.lines);
+    followed(found, is_within, &text, &path, FOLLOWED)
+}
+
+/// Returns the innermost import of a name, or else of all names of a file above.
+fn nearest<'i>(imports: &[&'i Import], name: &str) -> Option<&'i Import> {
+    let of = |wanted: &str| {
+        let named = imports.iter().copied().filter(|it| it.name == wanted);
+        named.min_by_key(|it| it.lines.end() - it.lines.start())
+    };
+    of(name).or_else(|| of("*").filter(|it| it.is_of_above()))
+}
+
+/// The whole path of an import of `name` in a file; one from a file above is looked up there, up to `left` times. `is_within` says
+/// that the import is in a module that is written out in the file.
+fn followed(
+    import: &Import,
+    is_within: bool,
+    name: &str,
+    path: &Path,
+    left: u32,
+) -> Option<Vec<String>> {
+    if !import.is_of_above() {
+        return Some(import.path.clone());
+    }
+    let (first, last) = (import.path.first()?, import.path.last()?);
+    let name = if last == "*" { name } else { last };
+    let above = if is_within && first == "super" { path.to_owned() } else { above(path, first)? };
+    let file = file_at(&above)?;
+    let outermost: Vec<&Import> =
+        file.imports.iter().filter(|it| *it.lines.end() == usize::MAX).collect();
+    let found = nearest(&outermost, name).filter(|_| left > 0)?;
+    followed(found, false, name, &above, left - 1)
+}
+
+/// Returns the file of the module above that of `path`, or of the crate.
+fn above(path: &Path, first: &str) -> Option<PathBuf> {
+    let folder = path.parent()?;
+    let in_folder = |folder: &Path, names: &[&str]| {
+        names.iter().map(|name| folder.join(name)).find(|it| it.is_file())
+    };
+    if first == "crate" {
+        return folder.ancestors().find_map(|it| in_folder(it, &["lib.rs", "main.rs"]));
+    }
+    let is_of_folder = path.file_name().is_some_and(|name| name == "mod.rs");
+    let folder = if is_of_folder { folder.parent()? } else { folder };
+    in_folder(folder, &["mod.rs", "lib.rs", "main.rs"])
+        .or_else(|| Some(folder.with_extension("rs")).filter(|it| it.is_file()))
 }
 
 /// The file in which something is written, with what it imports.
 fn file_of(span: Span) -> Option<(PathBuf, Rc<File>)> {
     let path = span.local_file()?;
-    let known = FILES.with_borrow(|files| files.get(&path).cloned());
-    let file = known.or_else(|| {
-        let text = std::fs::read_to_string(&path).ok()?;
-        let file = Rc::new(File::read(&words::of(&text)));
-        FILES.with_borrow_mut(|files| files.insert(path.clone(), Rc::clone(&file)));
-        Some(file)
-    })?;
+    let file = file_at(&path)?;
     Some((path, file))
+}
+
+fn file_at(path: &Path) -> Option<Rc<File>> {
+    let known = FILES.with_borrow(|files| files.get(path).cloned());
+    known.or_else(|| {
+        let text = std::fs::read_to_string(path).ok()?;
+        let file = Rc::new(File::read(&words::of(&text)));
+        FILES.with_borrow_mut(|files| files.insert(path.to_owned(), Rc::clone(&file)));
+        Some(file)
+    })
+}
+
+impl Import {
+    /// Returns true if it names what a file above has.
+    fn is_of_above(&self) -> bool {
+        self.path.first().is_some_and(|first| ABOVE.contains(&first.as_str()))
+    }
 }
 
 impl File {
@@ -160,7 +225,12 @@ impl File {
         let mut named = false;
         let end = |file: &mut File, path: &mut Vec<String>, renamed: Option<&str>| {
             let name = renamed.or(path.last().map(String::as_str)).unwrap_or_default().to_owned();
-            if path.first().is_some_and(|first| CRATES.contains(&first.as_str())) {
+            let is_known = match &path[..] {
+                [first, _] => CRATES.contains(&&first[..]) || ABOVE.contains(&&first[..]),
+                [first, ..] => CRATES.contains(&&first[..]),
+                [] => false,
+            };
+            if is_known {
                 file.imports.push(Import { lines: 1..=usize::MAX, name, path: path.clone() });
             }
         };

@@ -41,7 +41,7 @@ const ORDERS: [(&str, &[&str]); 2] =
     [("PartialOrd", &["PartialOrd"]), ("Ord", &["PartialOrd", "Ord"])];
 
 /// Bounds whose companions are in a trait of their name.
-const OWN: [&str; 24] = [
+const OWN: [&str; 25] = [
     "Zero",
     "One",
     "Bounded",
@@ -49,6 +49,7 @@ const OWN: [&str; 24] = [
     "AsPrimitive",
     "ToPrimitive",
     "FromPrimitive",
+    "FloatConst",
     "WrappingAdd",
     "WrappingSub",
     "WrappingMul",
@@ -90,10 +91,34 @@ pub fn companions(bound: &TypeParamBound) -> Vec<TokenStream> {
 }
 
 /// Functions of traits that numbers of a known type have by the author's import of the trait.
-const OF_KNOWN: [(&str, &[&str]); 5] = [
+const OF_KNOWN: [(&str, &[&str]); 6] = [
     ("AsPrimitive", &["as_"]),
     ("Zero", &["zero", "is_zero"]),
     ("One", &["one", "is_one"]),
+    (
+        "FloatConst",
+        &[
+            "E",
+            "FRAC_1_PI",
+            "FRAC_1_SQRT_2",
+            "FRAC_2_PI",
+            "FRAC_2_SQRT_PI",
+            "FRAC_PI_2",
+            "FRAC_PI_3",
+            "FRAC_PI_4",
+            "FRAC_PI_6",
+            "FRAC_PI_8",
+            "LN_10",
+            "LN_2",
+            "LOG10_2",
+            "LOG10_E",
+            "LOG2_10",
+            "LOG2_E",
+            "PI",
+            "SQRT_2",
+            "TAU",
+        ],
+    ),
     (
         "ToPrimitive",
         &[
@@ -226,9 +251,12 @@ pub fn implied_by<'a>(
     implied
 }
 
-/// Returns true if a bound is nalgebra's `RealField`.
+/// Returns true if a bound is nalgebra's `RealField`, or simba's for numbers in lanes, of which a model has the one-lane `f32` and `f64`.
 pub fn is_real(bound: &TypeParamBound) -> bool {
-    mentions(bound.to_token_stream(), &["RealField", "ComplexField"].map(str::to_owned))
+    mentions(
+        bound.to_token_stream(),
+        &["RealField", "ComplexField", "SimdRealField", "SimdValue"].map(str::to_owned),
+    )
 }
 
 /// Returns true if a bound is the trait of this name of `num_traits`.

@@ -180,6 +180,9 @@ pub fn of_nalgebra(path: &syn::Path) -> Option<syn::Path> {
     let is = |ident: &syn::Ident, known: &[&str]| known.iter().any(|it| ident == it);
     let known = ["convert", "distance", "distance_squared"];
     let mut last = last.clone();
+    if is(&home.ident, &["nalgebra", "na"]) && is(&last.ident, &["zero", "one"]) {
+        return Some(syn::parse_quote!(::bessemer::generate::numeric::#last));
+    }
     // `convert::<f64, T>`: what is converted is in double precision.
     if let syn::PathArguments::AngleBracketed(list) = &mut last.arguments
         && list.args.len() == 2

@@ -32,7 +32,12 @@ pub fn native(
         return block(body, scope);
     }
     attributes.push(syn::parse_quote!(#[allow(unused, clippy::all)]));
-    body.stmts = vec![syn::Stmt::Expr(syn::Expr::Verbatim(refusals.into_tokens()), None)];
+    // An item of the body is not there any more.
+    let has_items = body.stmts.iter().any(|it| matches!(it, syn::Stmt::Item(_)));
+    let lookups = if has_items { Default::default() } else { refusals.lookups() };
+    let errors = refusals.into_tokens();
+    let errors = quote::quote! { #lookups #errors };
+    body.stmts = vec![syn::Stmt::Expr(syn::Expr::Verbatim(errors), None)];
 }
 
 /// Rewrites every call in `block`, and imports the DSL's traits into its scope; if `scope` has type parameters that

@@ -156,7 +156,7 @@ impl Builder {
             self.refuse(
                 named.file,
                 site,
-                format!("`{}` is not an instance of a generic type", type_text(&ty)),
+                format!("an alias of `{}` needs no attribute, which names an instance of a generic type", type_text(&ty)),
                 "remove the attribute: the type has its own name",
             );
             return;

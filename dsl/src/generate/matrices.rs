@@ -201,15 +201,23 @@ macro_rules! constructors {
 
 constructors! {
     New1(_a) for (1, 1);
-    New2(_a, _b) for (2, 1), (1, 2);
-    New3(_a, _b, _c) for (3, 1), (1, 3);
-    New4(_a, _b, _c, _d) for (4, 1), (1, 4), (2, 2);
-    New5(_a, _b, _c, _d, _e) for (5, 1);
-    New6(_a, _b, _c, _d, _e, _f) for (6, 1), (2, 3), (3, 2);
+    New2(_a, _b) for (1, 2), (2, 1);
+    New3(_a, _b, _c) for (1, 3), (3, 1);
+    New4(_a, _b, _c, _d) for (1, 4), (2, 2), (4, 1);
+    New5(_a, _b, _c, _d, _e) for (1, 5), (5, 1);
+    New6(_a, _b, _c, _d, _e, _f) for (1, 6), (2, 3), (3, 2), (6, 1);
     New8(_a, _b, _c, _d, _e, _f, _g, _h) for (2, 4), (4, 2);
     New9(_a, _b, _c, _d, _e, _f, _g, _h, _i) for (3, 3);
-    New12(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l) for (3, 4), (4, 3), (2, 6), (6, 2);
+    New10(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j) for (2, 5), (5, 2);
+    New12(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l) for (2, 6), (3, 4), (4, 3), (6, 2);
+    New15(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l, _m, _n, _o) for (3, 5), (5, 3);
     New16(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l, _m, _n, _o, _p) for (4, 4);
+    New18(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l, _m, _n, _o, _p, _q, _r) for (3, 6), (6, 3);
+    New20(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l, _m, _n, _o, _p, _q, _r, _s, _t) for (4, 5), (5, 4);
+    New24(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l, _m, _n, _o, _p, _q, _r, _s, _t, _u, _v, _w, _x) for (4, 6), (6, 4);
+    New25(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l, _m, _n, _o, _p, _q, _r, _s, _t, _u, _v, _w, _x, _y) for (5, 5);
+    New30(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l, _m, _n, _o, _p, _q, _r, _s, _t, _u, _v, _w, _x, _y, _z, _aa, _ab, _ac, _ad) for (5, 6), (6, 5);
+    New36(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l, _m, _n, _o, _p, _q, _r, _s, _t, _u, _v, _w, _x, _y, _z, _aa, _ab, _ac, _ad, _ae, _af, _ag, _ah, _ai, _aj) for (6, 6);
 }
 
 /// Defines companions of `Vector3::from([x, y, z])` and `Matrix2::from([[a, c], [b, d]])`, by columns, and of the

@@ -59,7 +59,8 @@ pub mod prelude {
     pub use super::matrices::traits::*;
     pub use super::matrices::{
         New1 as _, New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New8 as _, New9 as _,
-        New12 as _, New16 as _, SwizzleBuiltins as _,
+        New10 as _, New12 as _, New15 as _, New16 as _, New18 as _, New20 as _, New24 as _,
+        New25 as _, New30 as _, New36 as _, SwizzleBuiltins as _,
     };
     pub use super::numbers::ByteBuiltins as _;
     pub use super::numbers::traits::*;

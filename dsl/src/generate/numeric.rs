@@ -264,6 +264,44 @@ companions! {
     }
 }
 
+/// Defines the companions of `FloatConst`: the name of each constant, its companion, its marker and its function of the DSL.
+macro_rules! constants_of_floats {
+    ($($constant:literal $companion:ident $marker:ident $function:ident;)*) => {
+        instances! {
+            $($marker $constant: constants::$function<T>, NotOfFloats;)*
+        }
+
+        companions! {
+            #[allow(non_snake_case)]
+            pub trait AnyFloatConstBuiltins: Sized {
+                $(fn $companion() -> Self = [OfScalar<Self, $marker>];)*
+            }
+        }
+    };
+}
+
+constants_of_floats! {
+    "E" __b_E EOf __function_euler;
+    "FRAC_1_PI" __b_FRAC_1_PI Frac1PiOf __function_frac_1_pi;
+    "FRAC_1_SQRT_2" __b_FRAC_1_SQRT_2 Frac1Sqrt2Of __function_frac_1_sqrt_2;
+    "FRAC_2_PI" __b_FRAC_2_PI Frac2PiOf __function_frac_2_pi;
+    "FRAC_2_SQRT_PI" __b_FRAC_2_SQRT_PI Frac2SqrtPiOf __function_frac_2_sqrt_pi;
+    "FRAC_PI_2" __b_FRAC_PI_2 FracPi2Of __function_frac_pi_2;
+    "FRAC_PI_3" __b_FRAC_PI_3 FracPi3Of __function_frac_pi_3;
+    "FRAC_PI_4" __b_FRAC_PI_4 FracPi4Of __function_frac_pi_4;
+    "FRAC_PI_6" __b_FRAC_PI_6 FracPi6Of __function_frac_pi_6;
+    "FRAC_PI_8" __b_FRAC_PI_8 FracPi8Of __function_frac_pi_8;
+    "LN_10" __b_LN_10 Ln10Of __function_ln_10;
+    "LN_2" __b_LN_2 Ln2Of __function_ln_2;
+    "LOG10_2" __b_LOG10_2 Log102Of __function_log10_2;
+    "LOG10_E" __b_LOG10_E Log10EOf __function_log10_e;
+    "LOG2_10" __b_LOG2_10 Log210Of __function_log2_10;
+    "LOG2_E" __b_LOG2_E Log2EOf __function_log2_e;
+    "PI" __b_PI PiOf __function_pi;
+    "SQRT_2" __b_SQRT_2 Sqrt2Of __function_sqrt_2;
+    "TAU" __b_TAU TauOf __function_two_pi;
+}
+
 /// Implements traits for all types: the bound that implies one says which have it.
 macro_rules! for_all {
     ($($trait:ident)*) => { $(impl<T> $trait for T {})* };
@@ -273,7 +311,7 @@ for_all! {
     AnyZeroBuiltins AnyOneBuiltins AnyBoundedBuiltins AnySignedBuiltins AnyNumCastBuiltins AnyEuclidBuiltins
     AnyToPrimitiveBuiltins AnyFromPrimitiveBuiltins AnyPrimIntBuiltins AnySaturatingBuiltins AnyWrappingNegBuiltins
     AnyWrappingShlBuiltins AnyWrappingShrBuiltins AnyCheckedNegBuiltins AnyCheckedShlBuiltins AnyCheckedShrBuiltins
-    AnyPartialOrdBuiltins AnyOrdBuiltins
+    AnyPartialOrdBuiltins AnyOrdBuiltins AnyFloatConstBuiltins
 }
 
 impl<T, U> AnyAsPrimitiveBuiltins<U> for T {}

@@ -56,6 +56,8 @@ companions! {
     }
     /// Companions of iterators over parts of slices.
     impl[T: Seen] SliceCuts<T> for [T] {
+        fn __b_iter['a](&'a self) -> Items<&'a T> = [cut::__function_iter<T::Slot>];
+        fn __b_iter_mut['a](&'a mut self) -> Items<&'a mut T> = [cut::__function_iter_mut<T::Slot>];
         fn __b_split['a, F: FnMut(&T) -> bool](&'a self, _: F) -> Items<&'a [T]> = [cut::__function_split<T::Slot>];
         fn __b_split_inclusive['a, F: FnMut(&T) -> bool](&'a self, _: F) -> Items<&'a [T]>
             = [cut::__function_split_inclusive<T::Slot>];

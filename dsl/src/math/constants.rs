@@ -90,12 +90,6 @@ pub fn frac_pi_2<T: Real>() -> T {
     T::PI / real(2.0)
 }
 
-/// π/3.
-#[function(expand)]
-pub fn frac_pi_3<T: Real>() -> T {
-    T::PI / real(3.0)
-}
-
 /// π/4.
 #[function(expand)]
 pub fn frac_pi_4<T: Real>() -> T {
@@ -105,13 +99,40 @@ pub fn frac_pi_4<T: Real>() -> T {
 /// π/6.
 #[function(expand)]
 pub fn frac_pi_6<T: Real>() -> T {
-    T::PI / real(6.0)
+    real(core::f64::consts::FRAC_PI_6)
 }
 
 /// π/8.
 #[function(expand)]
 pub fn frac_pi_8<T: Real>() -> T {
     T::PI / real(8.0)
+}
+
+/// Defines constants, each the number of the type that is nearest to the one in double precision.
+macro_rules! nearest {
+    ($($name:ident $constant:ident;)*) => {$(
+        #[doc = concat!("`", stringify!($constant), "` of `core::f64::consts`.")]
+        #[function(expand)]
+        pub fn $name<T: Real>() -> T {
+            real(core::f64::consts::$constant)
+        }
+    )*};
+}
+
+nearest! {
+    euler E;
+    frac_1_pi FRAC_1_PI;
+    frac_1_sqrt_2 FRAC_1_SQRT_2;
+    frac_2_pi FRAC_2_PI;
+    frac_2_sqrt_pi FRAC_2_SQRT_PI;
+    frac_pi_3 FRAC_PI_3;
+    ln_10 LN_10;
+    ln_2 LN_2;
+    log10_2 LOG10_2;
+    log10_e LOG10_E;
+    log2_10 LOG2_10;
+    log2_e LOG2_E;
+    sqrt_2 SQRT_2;
 }
 
 /// The distance from 1 to the next larger number.

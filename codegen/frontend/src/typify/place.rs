@@ -162,6 +162,9 @@ impl Lowering<'_, '_> {
             bounded if self.contained(bounded).is_some() => {
                 return self.bounded_element(base, index, span);
             }
+            Type::Struct(id) if self.cx.known(&whole).unit.is_some() => {
+                return Ok(self.part(&base, *id, super::spatial::numbered(index)?));
+            }
             _ => return refused(Site(span.line, span.column), refusals::INDEXED),
         };
         let step = match &whole {

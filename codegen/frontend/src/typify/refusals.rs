@@ -30,7 +30,7 @@ reasons! {
     SLICE_IN_CLOSURE: "a closure that is passed to a function cannot capture a slice", "read the elements before: `let first = values[0];`";
     CLOSURE_HANDED_ON: "a closure parameter cannot be called inside another closure here", "call it before, and capture its result";
     SLICES_COMPARED: "`==` does not compare slices inside other values", "compare the slices themselves: `a.bytes == b.bytes`";
-    ORDER: "this type does not implement `PartialOrd` here", "compare parts; tuples, arrays of up to 8 elements, and enums and structs that derive `PartialOrd` below `#[data]` can be compared";
+    ORDER: "this type has no order by its parts: only types that derive `PartialOrd` below `#[data]`, tuples and arrays of up to 8 elements do", "for an order of its own write a method, `fn is_before(&self, other: &Self) -> bool`, and call it here; for the order by parts write `#[derive(PartialOrd)]` below `#[data]` in place of an `impl PartialOrd`";
     EMPTY_ORDER: "zero-sized values have no order to compare", "remove the comparison";
     TRIED: "`?` requires an `Option` or a `Result`", "`match` on the value";
     MOVED_REFERENCE: "a reference variable cannot be assigned another reference", "write to the referenced place, `*name = …`; or choose between two places by an index or an `if`";
@@ -73,7 +73,7 @@ reasons! {
     NAMES_BY_CASE: "a name in the alternatives of `|` refers to different places", "write a `match` with an arm for each";
     CONSTANT_PATTERN: "a constant of this type cannot be a pattern", "compare with `==`";
     PATTERN: "this pattern cannot match a value of this type", "destructure arrays, tuples, structs and variants";
-    INDEXED: "only arrays, slices, lists, matrices and vectors can be indexed", "use `[T; N]`, or a vector; of a type of your own: mark its `impl Index` `#[data]`";
+    INDEXED: "only arrays, slices, lists, matrices, vectors and types with a marked `impl Index` can be indexed", "of a type of your own: mark its `impl Index` block `#[data]`; otherwise use `[T; N]`, or a vector";
     CHOSEN_REFERENCE: "a mutable reference cannot be chosen by an `if` or a `match` here", "write in each branch: `if left { a += 1 } else { b += 1 }`; or choose an index: `let i = if left { 0 } else { 1 };`, and write to `values[i]`";
     NAMED_REFERENCE: "a reference variable must name a variable, a field or an element", "copy the value: `let x = *place;`; or pass the reference as an argument; or unwrap it: `let Some(x) = … else { … };`";
     TWO_INDEXINGS: "`Index` and `IndexMut` of this type return different places, and either may be meant here", "write one and the same body in both, or methods with names";
@@ -96,6 +96,7 @@ reasons! {
     IN_A_ROW: "the elements of this value are not contiguous", "pass an array, a `List`, or `.as_slice()` of a vector";
     TWO_LENGTHS: "the two slices of `copy_from_slice` never have equal lengths", "take equally many elements on both sides";
     PLATFORM: "nalgebra calls the platform's `sin`, `cos` or `sqrt` here, so the bits would depend on the target", "call the function of `bessemer::rotation` or `bessemer::complex` instead: `rotation::angle(&q)`, `rotation::from_scaled_axis(v)`, `complex::norm(&z)` and the like";
+    QUATERNION_INDEX: "the index of a quaternion must be a number from 0 to 3", "write `q[0]` to `q[3]`, or `q.i`, `q.j`, `q.k` and `q.w`";
     QUATERNION_PARTS: "the parts of a quaternion are not stored as a vector in C", "write to `q.i`, `q.j`, `q.k` and `q.w`, or assign a new quaternion";
     MOVED_VIEW: "a mutable view of a matrix cannot be stored or passed on here", "bind it with `let`, and use that name; call `.into_owned()` for a copy";
     REFERENCE_VALUE: "a reference cannot be stored here", "copy the referenced value, or pass the reference as an argument";

@@ -8,7 +8,7 @@ use super::comparison::Pair;
 use super::expr::{Call, two};
 use super::lowering::Lowering;
 use super::words;
-use super::{OUR_FAULT, Result, problem, refusals, refused, struct_of};
+use super::{Needed, OUR_FAULT, Result, problem, refusals, refused, struct_of};
 
 /// Returns true if the type at a path represents a unit quaternion, false for any quaternion, none for another type.
 pub(super) fn quaternion(path: &str) -> Option<bool> {
@@ -18,6 +18,15 @@ pub(super) fn quaternion(path: &str) -> Option<bool> {
         "unit_quaternion::UnitQuaternion" => Some(true),
         _ => None,
     }
+}
+
+/// Returns the part of a quaternion at an index that is written as a number: i, j, k and w in nalgebra's order.
+pub(super) fn numbered(index: &tree::Expr) -> Result<usize> {
+    let part = match &index.kind {
+        tree::ExprKind::Int(digits, _) => digits.parse().ok().filter(|part| *part < 4),
+        _ => None,
+    };
+    part.or_refused(index.site, refusals::QUATERNION_INDEX)
 }
 
 impl Lowering<'_, '_> {

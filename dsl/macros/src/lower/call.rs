@@ -45,7 +45,7 @@ impl Lowering {
         if let Some(reason) = reason {
             return self.refused(&function, reason);
         }
-        let Some(companion) = companion(function) else {
+        let Some(companion) = companion(function, arguments.is_empty()) else {
             return ExprKind::Constructor(last_segment(&function.path), arguments);
         };
         function.path = companion;
@@ -167,14 +167,17 @@ pub fn companion_name(method: &syn::Ident) -> syn::Ident {
     syn::Ident::new(&format!("__b_{}", text(method)), method.span())
 }
 
-/// Returns the path of the companion; none for a constructor.
-pub(super) fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
+/// Returns the path of the companion; none for a constructor. `is_empty` says that the call has no arguments.
+pub(super) fn companion(function: &syn::ExprPath, is_empty: bool) -> Option<syn::Path> {
     let mut path = function.path.clone();
     let last = path.segments.last()?.clone();
-    if is_constant_name(&last.ident) {
+    let of_type = associated(function.qself.as_ref(), &path);
+    // `T::PI()` of `num_traits`: a variant without fields is not called.
+    let in_capitals = of_type && is_empty && !is_constructor_name(&text(&last.ident));
+    if is_constant_name(&last.ident) && !in_capitals {
         return None;
     }
-    if associated(function.qself.as_ref(), &path) {
+    if of_type {
         let owner = path.segments.iter().rev().nth(1);
         let owned = owner.and_then(|owner| of_turns(&owner.ident, &last.ident));
         path.segments.last_mut()?.ident = companion_name(&owned.unwrap_or(last.ident));

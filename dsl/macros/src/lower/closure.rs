@@ -21,6 +21,10 @@ impl Lowering {
     pub(super) fn closure_local(&mut self, local: &mut syn::Local) -> Vec<tree::Stmt> {
         let site = site(&local.let_token);
         let Some(init) = local.init.as_mut() else { return Vec::new() };
+        let named = match &*init.expr {
+            syn::Expr::Path(path) => Some(path.clone()),
+            _ => None,
+        };
         let mut stmts = Vec::new();
         let mut value = self.scoped(|walk| {
             if let syn::Expr::Closure(closure) = &mut *init.expr {
@@ -35,6 +39,7 @@ impl Lowering {
         // Marked, so that a variable of its name that hides it is not taken for it.
         let name = self.hidden(&format!("{own}%"));
         self.bind_as(&own, &name);
+        self.functions.extend(named.map(|path| (name.clone(), path)));
         self.closures.push(name.clone());
         if let ExprKind::Closure(closure) = &mut value.kind {
             closure.name = Some(own);

@@ -233,6 +233,8 @@ impl Lowering {
             let name = self.local_name(&text(ident)).unwrap_or_default().to_owned();
             if self.is_closure(&name) {
                 self.refusals.add(ident, refuse::CLOSURE_VALUE);
+                let known = self.functions.iter().find(|(of, _)| *of == name);
+                known.into_iter().for_each(|(_, path)| self.refusals.requires(path.clone()));
             }
             if name == "self" {
                 // In the copy, which is a closure, the receiver is an ordinary parameter.

@@ -57,7 +57,7 @@ impl Lowering {
             self.refusals.add(function, reason);
             return plain(UNIT, function);
         }
-        let Some(companion) = companion(&asked) else { return plain(UNIT, function) };
+        let Some(companion) = companion(&asked, false) else { return plain(UNIT, function) };
         let native = native(function, &asked);
         let (place, span) = (site(function), function.span());
         let (arguments, result) = (self.slot(), self.slot());

@@ -50,12 +50,25 @@ impl<T: ToTokens> Place for &T {
 #[derive(Default)]
 pub struct Refusals {
     errors: Vec<syn::Error>,
+    /// Paths that rustc must know, since a refusal takes each for a function.
+    paths: Vec<syn::ExprPath>,
 }
 
 impl Refusals {
     /// Adds a refusal at `place`.
     pub fn add(&mut self, place: impl Place, reason: Reason) {
         self.errors.push(place.error(reason));
+    }
+
+    /// Adds a path, which a refusal takes for a function.
+    pub fn requires(&mut self, path: syn::ExprPath) {
+        self.paths.push(path);
+    }
+
+    /// Returns statements in which rustc looks up the paths.
+    pub fn lookups(&self) -> TokenStream {
+        let paths = &self.paths;
+        quote::quote! { #(let _ = #paths;)* }
     }
 
     /// Returns the number of refusals.
@@ -85,7 +98,7 @@ impl Refusals {
 
 impl From<syn::Error> for Refusals {
     fn from(error: syn::Error) -> Refusals {
-        Refusals { errors: vec![error] }
+        Refusals { errors: vec![error], ..Refusals::default() }
     }
 }
 
@@ -127,16 +140,16 @@ reasons! {
     IGNORED: "`_` is not a place", "write `let _ = …;`";
     CORE: "this function of the standard library is not supported", "write it out, or use the method of the same name";
     ROTATION: "this transformation of nalgebra is not supported", "use `UnitQuaternion`, `Rotation2`, `Rotation3`, `Translation3` or `Isometry3`";
-    LATER: "a `let` of a tuple cannot declare variables that are assigned later", "write a `let` for each";
+    LATER: "a `let` of a struct cannot declare variables that are assigned later", "write a `let` for each";
     DESTRUCTURING: "this pattern is not supported here", "destructure with `let`: `let [x, y] = pair;`, `let Gains { p, i } = gains;`";
     BINDING_PATTERN: "`ref` cannot bind to a temporary", "remove `ref`; or bind the value to a name first";
     PATTERN: "this pattern is not supported", "match on values, ranges, variants, structs, tuples, arrays, names and `_`";
     DISCRIMINANT: "an enum with payloads cannot number its variants", "remove the numbers; where a protocol fixes them, `match` on the value";
     UNION: "C cannot check the type of a union's bytes", "use a struct, and `to_bits`/`from_bits` for the bits of a float";
     STRING: "`str` is not supported", "use an enum for a choice; write `*b\"abc\"` for bytes, or `Text::of(b\"abc\")` for a `Text<8>`";
-    WIDE_INTEGER: "C99 has no 128-bit integer", "use `u64` or `i64`; the product of two words of 64 bits is `a.carrying_mul(b, 0)`, its low and its high word";
+    WIDE_INTEGER: "C99 has no 128-bit integer", "use `u64` or `i64`; the product of two words of 64 bits is `let (low, high) = a.carrying_mul(b, 0);`, and its bits from 32 on are `(high << 32) | (low >> 32)`";
     SUFFIX: "this literal has an unknown suffix", "write a product with `*`, `2.0 * x`; the types of numbers are `f64`, `u8` and the like: `2_u8`";
-    NO_FUNCTION: "this variable is no function", "write `v[0]` for an element; take a function as `law: impl Fn(f64) -> f64`";
+    NO_FUNCTION: "this variable is not known to be a function", "declare a parameter that is a function by its calls: `law: impl Fn(f64) -> f64`, or with a type parameter `F: Fn(f64) -> f64`; an element of an array is `v[0]`";
     FUNCTION_VALUE: "a function cannot be stored as a value", "call the function by its name; exchange an implementation through an `#[interface]`, or an `enum` with a `match`";
     FUNCTION_POINTER: "a function pointer hides the callee from the stack analysis", "choose with an `enum` and a `match`";
     RECURSION: "a recursive function has no bound on its stack", "write a loop over a range";
@@ -158,7 +171,7 @@ reasons! {
     EXTERN: "an external function needs a Rust body that the simulation can run", "write `#[external(header = \"board.h\")]` above a Rust function that simulates it";
     SLICE: "an unsized slice cannot be stored or passed by value", "pass `&[T]`; store an array, `[T; N]`, or a `List<T, N>`";
     TRAIT_OBJECT: "a trait object needs a table of function pointers", "name the type, or choose with an `enum` and a `match`";
-    IMPL_TRAIT: "`impl Trait` hides the type that C has to name", "name the type; take a closure as `impl Fn(f64) -> f64`, in functions and in methods of a type";
+    IMPL_TRAIT: "`impl Trait` hides the type that C has to name", "name the type, or a parameter of the type around it, `struct Held<L> { law: L }`; take a closure as `impl Fn(f64) -> f64`, in functions and in methods of a type";
     ITERATOR_TAIL: "a function that returns `impl Iterator` must end in the iterator", "make it the last expression: `self.values.iter().copied()`";
     ITERATOR_OUTSIDE: "an entry point, an interface or an external function cannot take or return an iterator", "iterate inside a function or a method of your own, and return the result";
     GENERIC_ALIAS: "the alias of an instance cannot have parameters", "name each instance: `pub type PidF32 = Pid<f32>;`";
@@ -180,7 +193,8 @@ reasons! {
     OWN_ORDER: "an own order of one type, `PartialOrd` or `Ord`, is not supported", "write a method, `fn is_before(&self, other: &Self) -> bool`; or derive `PartialOrd`, or compare parts";
     FOREIGN_OPERAND: "operators and conversions require numbers or a type of your own", "write a method: `fn as_array(self) -> [f64; 2]`";
     RUST_TRAIT: "this name belongs to a trait of Rust", "rename it";
-    STD_TRAIT: "no model calls this trait of Rust", "remove the attribute";
+    STD_TRAIT: "a model never calls this trait of Rust, so the C has no such `impl`", "remove the attribute of the DSL above it; the `impl` may stay for the simulation";
+    DROP: "the C would never call this `drop`", "remove the block; write a method, and call it where the value is used last";
     NOT_A_TRAIT: "`#[interface]` belongs on a trait", "mark a struct, an enum or an `impl` block `#[data]` or `#[component]`, and a function `#[function]`";
     INTERFACE_ITEM: "this item cannot be part of an `#[interface]`", "write methods, constants and types";
     LIST: "a model has no heap for a `Vec`", "use `List<T, N>`, a list of at most `N` elements, or an array `[T; N]`";
@@ -189,7 +203,7 @@ reasons! {
     MAP: "a model has no heap for a map", "search a `List<(K, V), N>`, or use an array with the key as index";
     HEAP: "a model has no heap", "store the value itself; use an `enum` for values of several types";
     DYNAMIC_MATRIX: "a dynamic matrix has no size at compile time", "use `SMatrix<f64, R, C>` or `SVector<f64, N>`";
-    STD: "firmware has no `std`", "use `core`, and pass what the platform provides as an input";
+    STD: "firmware has no `std`", "write the path with `core` if it is there; pass what only a platform has, such as the time, to the entry point as an argument";
     SHARED_CELL: "shared mutable state is not supported", "keep state in a field of the component, which methods change through `&mut self`";
     FORMAT: "text cannot be formatted on the target", "return the numbers, and format them where they are displayed";
     ENTRY_ARGUMENT: "`#[entry]` accepts only `infallible`, `atomic` or `single`", "write `#[entry]`, `#[entry(infallible)]`, `#[entry(atomic)]` or `#[entry(single)]`";
@@ -263,6 +277,7 @@ pub fn known_trait(path: &syn::Path) -> Option<Reason> {
     Some(match name.as_str() {
         "Deref" | "DerefMut" => OPERATOR_TRAIT,
         "PartialOrd" | "Ord" => OWN_ORDER,
+        "Drop" => DROP,
         "Default"
         | "Clone"
         | "Copy"
@@ -274,8 +289,7 @@ pub fn known_trait(path: &syn::Path) -> Option<Reason> {
         | "IntoIterator"
         | "DoubleEndedIterator"
         | "ExactSizeIterator"
-        | "FusedIterator"
-        | "Drop" => STD_TRAIT,
+        | "FusedIterator" => STD_TRAIT,
         _ => return None,
     })
 }

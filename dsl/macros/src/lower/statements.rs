@@ -3,6 +3,7 @@
 use bessemer_tree as tree;
 use quote::quote;
 use syn::parse_quote;
+use syn::punctuated::Punctuated;
 
 use super::expr::is_unit_control;
 use super::names::{site, slot_name, text};
@@ -23,7 +24,7 @@ impl Lowering {
         self.ranges_with_names(stmts);
         let mut originals = std::mem::take(stmts);
         originals.retain(|stmt| !is_empty(stmt));
-        let originals: Vec<_> = originals.into_iter().flat_map(one_by_one).collect();
+        originals.iter_mut().for_each(without_value);
         let last = originals.len().saturating_sub(1);
         let outermost = self.is_outermost();
         let imports = self.imports.len();
@@ -100,22 +101,66 @@ impl Lowering {
         if is_closure || is_function {
             return self.closure_local(local);
         }
-        let apart = takes_apart(local);
-        if apart && local.init.is_none() {
-            self.refusals.add(&local.pat, refuse::LATER);
-            return Vec::new();
-        }
         if let syn::Pat::Type(typed) = &local.pat {
             signature::check_type(&typed.ty, &mut self.refusals);
         }
-        let lowered = match apart {
+        if local.init.is_none() {
+            return self.later(local);
+        }
+        let lowered = match takes_apart(local) {
             true => self.apart(local, looks),
             false => self.named(local, looks),
         };
         lowered.into_iter().collect()
     }
 
-    /// Lowers `let name = value;` or `let name;`.
+    /// Lowers `let name;` or `let (a, [b, c]);`, whose names are assigned later, to a declaration of each.
+    fn later(&mut self, local: &mut syn::Local) -> Vec<tree::Stmt> {
+        let mut declared = Vec::new();
+        match self.any_value(&mut local.pat, site(&local.let_token), &mut declared) {
+            Some(value) => {
+                local.init = Some(syn::LocalInit {
+                    eq_token: Default::default(),
+                    expr: Box::new(value),
+                    diverge: None,
+                });
+            }
+            None => self.refusals.add(&local.pat, refuse::LATER),
+        }
+        declared
+    }
+
+    /// Declares each name of a pattern of tuples and arrays. Returns the value in the witness copy, in which each name has a slot of
+    /// its own; none for another pattern.
+    fn any_value(
+        &mut self,
+        pattern: &mut syn::Pat,
+        site: tree::Site,
+        declared: &mut Vec<tree::Stmt>,
+    ) -> Option<syn::Expr> {
+        let mut each = |parts: &mut Punctuated<syn::Pat, syn::Token![,]>| {
+            let parts = parts.iter_mut().map(|part| self.any_value(part, site, declared));
+            parts.collect::<Option<Vec<_>>>()
+        };
+        match pattern {
+            syn::Pat::Type(it) => self.any_value(&mut it.pat, site, declared),
+            syn::Pat::Paren(it) => self.any_value(&mut it.pat, site, declared),
+            syn::Pat::Tuple(it) => each(&mut it.elems).map(|parts| parse_quote! { (#(#parts,)*) }),
+            syn::Pat::Slice(it) => each(&mut it.elems).map(|parts| parse_quote! { [#(#parts),*] }),
+            syn::Pat::Ident(_) | syn::Pat::Wild(_) => {
+                let mutable = is_mutable(pattern);
+                let ident = pattern::simple_name(pattern, &mut self.refusals)?;
+                let (slot, name) = (self.slot(), self.bind_here(&text(&ident)));
+                pattern::make_mutable(pattern);
+                declared.push(tree::Stmt::Let { name, slot, value: None, site, mutable });
+                let slot = slot_name(slot);
+                Some(syn::Expr::Verbatim(quote! { __any(&#slot) }))
+            }
+            _ => None,
+        }
+    }
+
+    /// Lowers `let name = value;`.
     fn named(&mut self, local: &mut syn::Local, looks: &mut Vec<syn::Stmt>) -> Option<tree::Stmt> {
         let site = site(&local.let_token);
         if let Some(init) = &local.init
@@ -125,22 +170,12 @@ impl Lowering {
         {
             self.refusals.add(&init.expr, refuse::RANGE_VALUE);
         }
-        let value = local.init.as_mut().map(|init| self.value(&mut init.expr));
+        let value = self.value(&mut local.init.as_mut()?.expr);
         let ident = pattern::simple_name(&mut local.pat, &mut self.refusals)?;
         let (slot, mutable) = (self.slot(), is_mutable(&local.pat));
         let name = self.bind_here(&text(&ident));
-        if value.is_some() {
-            looks.push(self.look(slot, &ident));
-        } else {
-            pattern::make_mutable(&mut local.pat);
-            let slot = slot_name(slot);
-            local.init = Some(syn::LocalInit {
-                eq_token: Default::default(),
-                expr: Box::new(syn::Expr::Verbatim(quote! { __any(&#slot) })),
-                diverge: None,
-            });
-        }
-        Some(tree::Stmt::Let { name, slot, value, site, mutable })
+        looks.push(self.look(slot, &ident));
+        Some(tree::Stmt::Let { name, slot, value: Some(value), site, mutable })
     }
 
     /// Lowers `let pattern = value;`, possibly with an `else`.
@@ -187,16 +222,6 @@ impl Lowering {
 /// Returns true for a semicolon without a statement.
 fn is_empty(stmt: &syn::Stmt) -> bool {
     matches!(stmt, syn::Stmt::Expr(syn::Expr::Verbatim(tokens), Some(_)) if tokens.is_empty())
-}
-
-/// Splits `let (a, b);`, which declares variables for later assignments, into a `let` for each.
-fn one_by_one(mut stmt: syn::Stmt) -> Vec<syn::Stmt> {
-    without_value(&mut stmt);
-    if let syn::Stmt::Local(syn::Local { pat: syn::Pat::Tuple(parts), init: None, .. }) = &stmt {
-        let of = |part| -> Vec<syn::Stmt> { one_by_one(parse_quote! { let #part; }) };
-        return parts.elems.iter().flat_map(of).collect();
-    }
-    vec![stmt]
 }
 
 /// Gives the value of `Err(error)?;` a type: nothing determines it, and rustc would infer `!`, which no slot can

@@ -19,6 +19,8 @@ pub struct Lowering {
     pub(super) scopes: Vec<Vec<(String, String)>>,
     /// Names of closures in the tree.
     pub(super) closures: Vec<String>,
+    /// Those of them that name a function, with its path.
+    pub(super) functions: Vec<(String, syn::ExprPath)>,
     /// Parameters that take closures.
     pub called: Vec<String>,
     /// True if names of patterns are made unique.

@@ -64,3 +64,25 @@ pub fn left_by_error(value: i16) -> Result<i16, i8> {
     }
     Ok(value)
 }
+
+/// A pair of a number and a vector.
+type Pair = (f64, [f64; 2]);
+
+/// Names of a pattern with a type, each assigned in every branch.
+#[function]
+pub fn parts_assigned_later(x: f64, positive: bool) -> (f64, f64, f64, i32) {
+    let (first, [second, mut third]): Pair;
+    let [count, _]: [i32; 2];
+    if positive {
+        first = x;
+        second = 2.0 * x;
+        third = second - 1.0;
+        count = 1;
+    } else {
+        (first, second) = (-x, 0.5);
+        third = first;
+        third += second;
+        count = -1;
+    }
+    (first, second, third, count)
+}

@@ -2,7 +2,7 @@
 //! by path; conversions are between numbers of any two types.
 
 use bessemer::prelude::*;
-use num_traits::float::FloatCore;
+use num_traits::float::{FloatConst, FloatCore};
 use num_traits::{
     AsPrimitive, Bounded, CheckedAdd, Euclid, Float, FromPrimitive, Num, NumCast, One, PrimInt, Signed, ToPrimitive,
     WrappingAdd, WrappingSub, Zero,
@@ -167,4 +167,54 @@ pub fn of_whole(x: i64) -> (Option<u8>, Option<i32>, Option<u64>, Option<f32>) {
 #[function]
 pub fn of_size(x: u64, y: f64) -> (Option<usize>, Option<i8>, Option<i64>, Option<f64>) {
     (NumCast::from(x), num_traits::cast(x), there(x as i64), there(y))
+}
+
+/// Each constant of a float, whose name is in capitals as a variant's is.
+#[function]
+fn constants<T: FloatConst + Float>() -> [T; 19] {
+    [
+        T::E(),
+        T::FRAC_1_PI(),
+        T::FRAC_1_SQRT_2(),
+        T::FRAC_2_PI(),
+        T::FRAC_2_SQRT_PI(),
+        T::FRAC_PI_2(),
+        T::FRAC_PI_3(),
+        T::FRAC_PI_4(),
+        T::FRAC_PI_6(),
+        <T as FloatConst>::FRAC_PI_8(),
+        T::LN_10(),
+        T::LN_2(),
+        T::LOG10_2(),
+        T::LOG10_E(),
+        T::LOG2_10(),
+        T::LOG2_E(),
+        T::PI(),
+        T::SQRT_2(),
+        T::TAU(),
+    ]
+}
+
+/// Constants as elements, operands, and of a known type.
+#[function]
+pub fn of_constants(angle: f64, gain: f32) -> ([f64; 19], [f32; 19], f64, f32) {
+    (constants(), constants(), angle % (f64::SQRT_2() + <f64 as FloatConst>::TAU()), gain * f32::LN_2())
+}
+
+/// Bounds by names that the module above imports.
+mod below {
+    use super::{FloatConst, Num};
+    use bessemer::prelude::*;
+
+    /// A turn of a circle times a number.
+    #[function]
+    pub fn turns<T: FloatConst + Num>(count: T) -> T {
+        T::TAU() * count + <T as FloatConst>::E() * T::one()
+    }
+}
+
+/// By names of the module above.
+#[function]
+pub fn of_the_module_below(x: f64, y: f32) -> (f64, f32) {
+    (below::turns(x), below::turns(y))
 }

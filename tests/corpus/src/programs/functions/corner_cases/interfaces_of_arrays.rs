@@ -33,7 +33,7 @@ pub trait Ops<T>: Copy {
 #[data]
 impl<T: Float> Ops<T> for Vector<T> {
     fn sum(self) -> T {
-        self[0] + self[1] + self[2]
+        self.iter().skip(1).fold(self[0], |sum, part| sum + *part)
     }
 
     fn scale(self, s: T) -> Vector<T> {
@@ -42,7 +42,7 @@ impl<T: Float> Ops<T> for Vector<T> {
 
     fn norm(&self) -> T {
         let mut squares = T::zero();
-        for part in self[..].iter() {
+        for part in self.iter() {
             squares = squares + *part * *part;
         }
         squares.sqrt()
@@ -57,8 +57,8 @@ impl<T: Float> Ops<T> for Vector<T> {
     }
 
     fn add(&mut self, other: Vector<T>) {
-        for i in 0..3 {
-            self[i] = self[i] + other[i];
+        for (part, other) in self.iter_mut().zip(other.iter()) {
+            *part = *part + *other;
         }
     }
 }
