@@ -161,11 +161,19 @@ fn settle(workspace: &Path, name: &str) -> Result<(), String> {
     }
 }
 
+/// Returns the version that the marked copy has of a dependency, by a line of `versions`; none for the crate's own choice.
+fn version_of<'v>(versions: &'v str, section: &str) -> Option<&'v str> {
+    let name = section.strip_prefix("[dependencies.")?.strip_suffix(']')?;
+    let of = |line: &'v str| line.split_once(' ').filter(|(it, _)| *it == name);
+    versions.lines().find_map(of).map(|(_, version)| version)
+}
+
 /// The manifest of a copy: the crate's own, renamed and without the dependencies of its tests.
 fn manifest(of: &Crate, text: &str, side: &str) -> String {
     let features = of.ours("features");
     let features: Vec<String> = features.split_whitespace().map(|it| format!("\"{it}\"")).collect();
     let chosen = of.folder().join("features").exists();
+    let versions = if side == "marked" { of.ours("versions") } else { String::new() };
     let mut kept = String::new();
     let mut section = String::new();
     let mut skipped = false;
@@ -191,12 +199,16 @@ fn manifest(of: &Crate, text: &str, side: &str) -> String {
             section == "[package]" && (key == "readme" || key == "autolib" || key == "build");
         let default = section == "[features]" && key == "default" && chosen;
         let license = section == "[package]" && key == "license";
+        let version = version_of(&versions, &section).filter(|_| key == "version");
         match () {
             () if skipped || read || line.starts_with('#') => {}
             () if library => {
                 kept.push_str(&format!("name = \"original_{}\"\n", of.name.replace('-', "_")))
             }
             () if named => kept.push_str(&format!("name = \"{side}-{}\"\n", of.name)),
+            () if let Some(version) = version => {
+                kept.push_str(&format!("version = \"{version}\"\n"))
+            }
             () if license => kept.push_str("license = \"MIT\"\n"),
             () if default => kept.push_str(&format!("default = [{}]\n", features.join(", "))),
             () => kept.push_str(&format!("{line}\n")),
