@@ -198,7 +198,7 @@ impl Lowering<'_, '_> {
             (tree::UnaryOp::Not, Type::Scalar(_)) => {
                 Ok(Expr::unary(UnaryOp::Not, operand).at(span))
             }
-            _ => problem(site, "no operator is defined for this type", OPERATOR),
+            _ => problem(site, "no marked operator is defined for this type", OPERATOR),
         }
     }
 
@@ -288,7 +288,7 @@ impl Lowering<'_, '_> {
             (_, Type::Matrix { .. }, _) | (.., Type::Matrix { .. }) => {
                 self.matrix_binary(op, left, right, site)
             }
-            _ => problem(site, "no operator is defined for these types", OPERATOR),
+            _ => problem(site, "no marked operator is defined for these types", OPERATOR),
         }
     }
 

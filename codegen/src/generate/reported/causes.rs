@@ -75,6 +75,14 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
                     && position(other) < position(one)
                     && around(other, sources) == around(one, sources)
             });
+        // A name that is not there is no function, either.
+        let of_missing_value = is_refusal(one)
+            && title(one).starts_with(STORED)
+            && others().any(|(_, (other, _))| {
+                other.0.code == "E0425"
+                    && position(other) < position(one)
+                    && around(other, sources) == around(one, sources)
+            });
         // A call of a function whose body has the value that its head does not declare: that body is the cause.
         let is_void = |other: &Worded<'_, '_>| {
             other.0.code == "E0308"
@@ -100,6 +108,7 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
                 other.0.code == "E0571" && around(other, sources) == around(one, sources)
             });
         kept[index] &= !(within
+            || of_missing_value
             || of_nothing
             || no_result
             || named_better
@@ -131,6 +140,9 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
     }
     reported
 }
+
+/// First words of the refusal of a name that is bound to a function or a closure, and used as a value.
+const STORED: &str = "a closure can be called or passed to a function";
 
 /// Returns true if an error is reported once for its file. rustc's order of these is unstable; the topmost is reported.
 fn is_of_file((_, words): &Worded<'_, '_>) -> bool {
@@ -362,7 +374,7 @@ impl Item {
     }
 
     /// Returns the function or type that contains a place: the nearest line above that begins one.
-    fn around(mark: &Mark<'_>, sources: &Sources) -> Item {
+    pub fn around(mark: &Mark<'_>, sources: &Sources) -> Item {
         let file = mark.file.to_owned();
         let above = (1..=mark.start.0).rev();
         // An attribute precedes what it is about.

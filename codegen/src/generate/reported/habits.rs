@@ -26,8 +26,16 @@ pub fn of(message: &Message<'_>) -> Option<String> {
             Some("write `f64::NAN`, `f64::INFINITY` or `f64::NEG_INFINITY`".to_owned())
         }
         "E0571" => Some(
-            "declare a variable before the loop, `let mut found = None;`, and write `found = Some(i); break;`; or search by `.iter().position(|x| …)`".to_owned(),
+            "declare a variable before the loop, `let mut found = None;`, write `found = Some(i); break;`, and read it behind the loop, `if let Some(i) = found { … }`; or search by `.iter().position(|x| …)`, which returns such an `Option`".to_owned(),
         ),
+        "" if message.title.starts_with("invalid suffix `") => {
+            let number = mark.text().trim_end_matches(|it: char| it.is_alphabetic()).to_owned();
+            Some(format!("remove it: `{number}` has the type that its use requires"))
+        }
+        "" if message.title.starts_with("`~` cannot be used") => Some(match mark.rest().starts_with('=') {
+            true => "write `!=`".to_owned(),
+            false => "write `!`, which inverts a condition or the bits of an integer".to_owned(),
+        }),
         _ => None,
     }
 }

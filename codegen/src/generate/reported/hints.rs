@@ -15,7 +15,7 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         "E0277" if title.ends_with("is not supported") => {
             message.below().find(|it| it.starts_with("write "))?.to_owned()
         }
-        "E0277" if title.starts_with("cannot ") => operands(&quoted)?,
+        "E0277" if title.starts_with("cannot ") => operands(&quoted, message.mark()?)?,
         "E0277" if title.contains("f64: Eq`") || title.contains("f32: Eq`") => {
             "remove `Eq`: a float is not equal to itself if it is NaN, so it has `PartialEq` alone".to_owned()
         }
@@ -39,8 +39,17 @@ pub fn of(message: &Message<'_>) -> Option<String> {
                 false => format!("name the type that it is for: `{ty}<f64>`"),
             }
         }
-        "" if title.contains("non-macro attribute") && title.ends_with("macro `entry`") => {
-            "remove it: the attribute belongs on a method in an `impl` block marked `#[component]`; the fields of the component are in its C struct".to_owned()
+        "E0782" if title == "expected a type, found a trait" && !message.mark()?.line.contains("fn ") => {
+            generic(&marked)
+        }
+        "E0369" if quoted.len() == 2 && quoted.iter().all(|it| types::is_parameter(it)) => {
+            format!("require it of the type parameter: `{}: Real` for floats, or a bound of `core::ops`, such as `core::ops::Add<Output = {}>`", quoted[1], quoted[1])
+        }
+        "E0061" if marked.starts_with("Self::") && message.marked_below().any(|it| it.text().contains("self") || it.line.contains("self,")) => {
+            format!("a method is called on its value: `self.{}(…)`", marked.trim_start_matches("Self::"))
+        }
+        "overflowing_literals" if message.is_error => {
+            "name a type that holds the number, such as `u16` or `u32`, here and where the value goes".to_owned()
         }
         "E0308" => converted(message.mark()?.label).or_else(|| mismatched(message.mark()?))?,
         "E0061" if matches!(&*marked, "round" | "floor" | "ceil" | "trunc") => {
@@ -89,7 +98,7 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         }
         "E0609" if quoted.first() == Some(&"T") => "write `m.transpose()`".to_owned(),
         "E0609" if quoted.get(1).is_some_and(|it| it.contains("Vector<") || it.contains("Matrix<")) => {
-            "index the element: `v[3]`, `m[(row, column)]`; a vector has as many of `x`, `y`, `z` and `w` as components".to_owned()
+            "an element of a vector is `v[0]`, of a matrix `m[(row, column)]`".to_owned()
         }
         "E0608" if message.mark()?.before().ends_with(']') => {
             "write `m[(row, column)]`, with indices from 0".to_owned()
@@ -207,7 +216,7 @@ fn mismatched(mark: &Mark<'_>) -> Option<String> {
     let is_integer = |it: &str| it == "integer" || it.starts_with("`i") || it.starts_with("`u");
     let is_optional = |it: &str| it.starts_with("`Option<");
     let remedy = match () {
-        () if wanted == "`bool`" && is_float(found) => "compare the number: `x > 0.0`",
+        () if wanted == "`bool`" && is_float(found) => "compare the number: `x != 0.0`",
         () if wanted == "`bool`" && is_integer(found) && mark.line.contains("&&") => {
             "`&` joins bits and `&&` conditions: `flags & 0x03 != 0`"
         }
@@ -260,6 +269,13 @@ fn from_bound(title: &str) -> Option<String> {
     Some(format!("expected `{to}`, found `{}`", from.trim_end_matches('>')))
 }
 
+/// Returns the remedy for an interface where a type is required.
+fn generic(interface: &str) -> String {
+    format!(
+        "name a type that implements `{interface}`; or let the type around it be generic, `struct Control<L> {{ law: L }}` with `impl<L: {interface}> Control<L>`, and name its instances, `pub type GainControl = Control<Gain>;`, each marked as the type is"
+    )
+}
+
 /// Returns true if rustc says more than the error.
 fn has_remedy(message: &Message<'_>) -> bool {
     message.below().next().is_some()
@@ -298,7 +314,7 @@ fn converted(label: &str) -> Option<String> {
 const POWER: &str = "write a power as `x.powi(2)` or `x.powf(y)`, and a square as `x * x`";
 
 /// Returns the remedy for an operator on numbers of two types, or on a number and a matrix.
-fn operands(quoted: &[&str]) -> Option<String> {
+fn operands(quoted: &[&str], mark: &Mark<'_>) -> Option<String> {
     let [one, other] = quoted.get(..2)? else { return None };
     let is_float = |it: &&&str| matches!(**it, "f64" | "f32" | "{float}");
     let is_integer = |it: &&&str| it.len() < 6 && it.starts_with(['i', 'u']);
@@ -306,7 +322,10 @@ fn operands(quoted: &[&str]) -> Option<String> {
     let float = both.iter().find(|it| is_float(it));
     let integer = both.iter().find(|it| is_integer(it));
     if float.is_some() && both.contains(&&"{integer}") {
-        return Some("write the number with a point: `2.0`".to_owned());
+        let rest = mark.rest();
+        let digits = rest.trim_start().split(|it: char| !it.is_ascii_digit()).next();
+        let number = digits.filter(|it| !it.is_empty()).unwrap_or("2");
+        return Some(format!("write the number with a point: `{number}.0`"));
     }
     if let (Some(float), Some(integer)) = (float, integer) {
         let float = if **float == "{float}" { "f64" } else { float };

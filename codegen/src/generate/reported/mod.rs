@@ -2,13 +2,14 @@
 //!
 //! A generation build compiles more than the author's code: a witness copy of each function, and the builders of the
 //! tree. An error in the model repeats there, with names that no author has seen. Each message of rustc is parsed
-//! ([`rustc`]), reworded if it is about the DSL ([`wording`], [`unsupported`]), or gets a suitable remedy ([`hints`], [`habits`]), with types as
+//! ([`rustc`]), reworded if it is about the DSL ([`wording`], [`unsupported`]), or gets a suitable remedy ([`hints`], [`habits`], [`declared`]), with types as
 //! authors write them ([`types`]). It is dropped if another message reports its cause ([`causes`]). An unsupported
 //! type is reported where its author names it ([`place`]).
 //!
 //! Must not know: how cargo is called.
 
 mod causes;
+mod declared;
 mod foreign;
 mod habits;
 mod hints;
@@ -60,7 +61,10 @@ fn diagnostic(message: &Message<'_>, words: Option<Words>, sources: &Sources) ->
             _ => reported,
         };
     }
-    let help = hints::of(message);
+    let (mut help, mut declared) = (hints::of(message), None);
+    if let Some(of) = declared::of(message, sources) {
+        (help, declared) = (Some(of.help), of.at);
+    }
     let is_readable = types::shown(message.title) == message.title && !message.shows_internals();
     if help.is_none() && is_readable {
         let rustc = Some(Box::new(message.value.clone()));
@@ -74,10 +78,15 @@ fn diagnostic(message: &Message<'_>, words: Option<Words>, sources: &Sources) ->
         ..Place::default()
     });
     Diagnostic {
-        code: message.code.to_owned(),
+        // The name of a lint is no code.
+        code: Some(message.code).filter(|it| it.starts_with('E')).unwrap_or_default().to_owned(),
         message: types::shown(message.title),
-        label: types::shown(mark.map_or("", |mark| mark.label)),
-        also: also.collect(),
+        // What rustc says of a `Vec` is nothing for a model, which has no heap.
+        label: mark
+            .map(|it| types::shown(it.label))
+            .filter(|it| !it.contains("`Vec<"))
+            .unwrap_or_default(),
+        also: also.chain(declared).collect(),
         help: help.or_else(|| message.own_help()).unwrap_or_default(),
         notes: message.own_notes(),
         ..place

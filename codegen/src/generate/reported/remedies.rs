@@ -38,9 +38,8 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
             "a model has no heap: use `Text<N>`, a text of at most `N` bytes; use an enum for a choice"
         }
         "try_inverse_mut" => "call `bessemer::inverse_mut`",
-        "symmetric_eigen" | "symmetric_eigenvalues" => {
-            "call `bessemer::linear::symmetric_eigen(&a)`"
-        }
+        "symmetric_eigen" => "call `bessemer::linear::symmetric_eigen(&a)`",
+        "symmetric_eigenvalues" => "write `bessemer::linear::symmetric_eigen(&a).eigenvalues`",
         "svd" | "svd_unordered" | "singular_values" => "call `bessemer::linear::svd(&a)`",
         "ln_determinant" => "add up the logarithms of the diagonal of `l()`, twice",
         "angle" => {
@@ -63,11 +62,11 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
         }
         "from_vec" => "write `from_column_slice(&values)`",
         "new" | "rotation" if owner.starts_with("Isometry") => ANGLES,
+        "face_towards" | "look_at_rh" | "look_at_lh" => {
+            "build it from its axes: `let z = direction.normalize(); let x = up.cross(&z).normalize(); let y = z.cross(&x);`, then `Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[x, y, z]))`"
+        }
         "from_angle"
         | "from_matrix"
-        | "face_towards"
-        | "look_at_rh"
-        | "look_at_lh"
         | "from_euler_angles"
         | "from_axis_angle"
         | "from_scaled_axis"

@@ -130,8 +130,8 @@ impl<'a> Message<'a> {
                 return None;
             }
             Some(match suggested(child).filter(|it| !it.is_empty()) {
-                Some(code) => format!("{text}: `{code}`"),
-                None => text.to_owned(),
+                Some(code) if !text.contains(&format!("`{code}`")) => format!("{text}: `{code}`"),
+                _ => text.to_owned(),
             })
         };
         self.children().filter(is_own).find_map(reported)

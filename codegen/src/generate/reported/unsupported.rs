@@ -69,3 +69,36 @@ fn made_by<'a>(mark: &'a Mark<'_>) -> &'a str {
     let end = mark.line.find('!').map_or(mark.line.len(), |at| at + 1);
     mark.line[..end].trim()
 }
+
+#[cfg(test)]
+mod tests {
+    use bessemer_frontend::source::Sources;
+    use serde_json::json;
+
+    use super::super::reported;
+
+    #[test]
+    fn a_type_that_a_macro_of_a_crate_declares_is_not_to_be_marked() {
+        let at = |line: u32, text: &str, is_primary: bool| {
+            json!([{
+                "file_name": "lib.rs", "line_start": line, "line_end": line, "column_start": 1,
+                "column_end": 9, "is_primary": is_primary, "label": "", "text": [{ "text": text }],
+            }])
+        };
+        let declared = json!([{
+            "level": "help", "message": "the trait is not implemented for `Status`",
+            "spans": at(1, "bitfield! {", true),
+        }]);
+        let error = json!({ "reason": "compiler-message", "message": {
+            "message": "`Status` is not a type of the DSL", "level": "error",
+            "code": { "code": "E0277" }, "spans": at(9, "    pub status: Status,", true),
+            "children": declared, "rendered": "",
+        }});
+        let folder = tempfile::tempdir().expect("a folder");
+        let reported = reported(&[error], &Sources::new(folder.path()));
+        assert_eq!(reported.len(), 1);
+        assert_eq!(reported[0].message, "`Status` is not a type of the DSL");
+        assert!(reported[0].help.contains("declare `#[data] struct Status(u16);`"));
+        assert!(!reported[0].help.contains("mark `Status`"));
+    }
+}

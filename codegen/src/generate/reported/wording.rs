@@ -41,9 +41,9 @@ pub fn of(message: &Message<'_>) -> Option<Words> {
     if !message.is_error {
         return None;
     }
-    const EACH: [fn(&Message<'_>) -> Option<Words>; 11] = [
-        refused, attribute, unmarked, initial, order, function, pattern, interface, builders,
-        dimensions, global,
+    const EACH: [fn(&Message<'_>) -> Option<Words>; 13] = [
+        refused, attribute, misplaced, component, unmarked, initial, order, function, pattern,
+        interface, builders, dimensions, global,
     ];
     EACH.iter().find_map(|it| it(message)).or_else(|| unnamed(message))
 }
@@ -82,6 +82,50 @@ fn attribute(message: &Message<'_>) -> Option<Words> {
         "write `use bessemer::prelude::*;` at the head of the file",
     )?;
     Some(Words { once: Once::File, ..reported })
+}
+
+/// Rewords an attribute of the DSL on a field or another part of an item.
+fn misplaced(message: &Message<'_>) -> Option<Words> {
+    let title =
+        message.title.strip_prefix("expected non-macro attribute, found attribute macro `")?;
+    let name = title.strip_suffix('`')?;
+    let (place, help) = match name {
+        "entry" => (
+            "a method in an `impl` block marked `#[component]`",
+            "remove it: the fields of a component are in its C struct; to return one, write a method that is an entry point",
+        ),
+        "function" => ("a free function", "remove it"),
+        "interface" => ("a trait", "remove it"),
+        "data" | "component" => (
+            "a struct, an enum, an `impl` block or a constant",
+            "remove it: a part is in the C as the whole is; mark the declaration of the part's type",
+        ),
+        _ => return None,
+    };
+    words(format!("`#[{name}]` belongs on {place}"), help)
+}
+
+/// Rewords a component that a vector of nalgebra does not have.
+fn component(message: &Message<'_>) -> Option<Words> {
+    const NAMES: [&str; 4] = ["x", "y", "z", "w"];
+    let [field, owner] = message.quoted()[..] else { return None };
+    let owner = types::written(owner);
+    let size = owner.strip_prefix("SVector<")?.strip_suffix('>')?.split(", ").nth(1)?;
+    let (size, has_vector) = (size.parse::<usize>().ok()?, NAMES.contains(&field));
+    if message.code != "E0609" || !has_vector || size == 0 {
+        return None;
+    }
+    let shown = NAMES.get(..size).map(|it| format!("`{}`", it.join("`, `")));
+    let shown = shown.unwrap_or_else(|| "no components by name".to_owned());
+    let help = match size {
+        1..=3 => format!(
+            "use one of these, or a `Vector{}`",
+            1 + NAMES.iter().position(|it| *it == field)?
+        ),
+        4 => "use one of these".to_owned(),
+        _ => "index the element: `v[3]`".to_owned(),
+    };
+    words(format!("no field `{field}`: a `Vector{size}` has {shown}"), help)
 }
 
 /// Rewords an implementation of a trait that is no interface, so its companions are missing in the trait.
@@ -306,6 +350,8 @@ fn builders(message: &Message<'_>) -> Option<Words> {
     let owned = quoted.iter().find(|name| owned(name)).and_then(|name| name.strip_prefix(OWNED));
     let method = quoted.iter().find_map(|name| name.strip_prefix("__b_")).or(owned);
     let owner = types::written(quoted.last().copied().unwrap_or_default());
+    // Parameters of nalgebra's own declaration say nothing.
+    let owner = owner.strip_suffix("<T, D>").unwrap_or(&owner).to_owned();
     if let Some(method) = method {
         let help = if let Some(help) = instead(method, &owner).or_else(|| types::instead(&owner)) {
             help
