@@ -140,11 +140,12 @@ impl Found {
                     other.name != field.name && own.trim_start_matches(OVERLAY) == name
                 });
                 let others: Vec<String> = others.map(|(other, _)| other.name.clone()).collect();
-                if field.given.name.is_some() && is_keyword(name) {
-                    self.note(at(&field.given, item.span), Taken::Reserved(name.to_owned()), &[]);
+                let own = &field.given;
+                if own.name.is_some() && is_keyword(name) {
+                    self.note(at(own, item.span), Taken::Reserved(name.to_owned()), &[]);
                 } else if !others.is_empty() {
-                    let (span, taken) = match field.given.name {
-                        Some(_) => (at(&field.given, item.span), Taken::Twice(name.to_owned())),
+                    let (span, taken) = match own.name {
+                        Some(_) => (at(own, item.span), Taken::Twice(name.to_owned())),
                         None => (item.span, Taken::Made(name.to_owned())),
                     };
                     let fields = std::iter::once(field.name.clone()).chain(others).collect();

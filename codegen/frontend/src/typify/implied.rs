@@ -52,10 +52,12 @@ impl<'a> Context<'a> {
     /// Reports a problem in a function. For an instance of a generic function it also shows a call of that instance, which
     /// chose the types.
     fn tell_in(&mut self, function: &tree::Function, problem: Problem) {
-        let before = self.told.len();
+        let is_new = !problem.message.is_empty();
         self.tell(&function.file, problem);
         let call = if function.generics.is_empty() { None } else { self.call_of(&function.path) };
-        self.told[before..].iter_mut().for_each(|told| told.also.extend(call.clone()));
+        if let (true, Some(last)) = (is_new, self.told.last_mut()) {
+            last.also.extend(call);
+        }
     }
 
     /// Returns the first place of a call of a function.

@@ -10,9 +10,9 @@ use super::rustc::{Mark, Message};
 
 /// The remedy, and the place of the declaration.
 pub struct Declared {
-    /// What to write.
+    /// Text of the remedy.
     pub help: String,
-    /// Where the name is declared, with a label.
+    /// Place of the declaration, with a label.
     pub at: Option<Place>,
 }
 

@@ -81,7 +81,7 @@ fn diagnostic(message: &Message<'_>, words: Option<Words>, sources: &Sources) ->
         // The name of a lint is no code.
         code: Some(message.code).filter(|it| it.starts_with('E')).unwrap_or_default().to_owned(),
         message: types::shown(message.title),
-        // What rustc says of a `Vec` is nothing for a model, which has no heap.
+        // A label that recommends a `Vec` is dropped: a model has no heap.
         label: mark
             .map(|it| types::shown(it.label))
             .filter(|it| !it.contains("`Vec<"))

@@ -19,7 +19,7 @@ pub struct Lowering {
     pub(super) scopes: Vec<Vec<(String, String)>>,
     /// Names of closures in the tree.
     pub(super) closures: Vec<String>,
-    /// Those of them that name a function, with its path.
+    /// Named functions among them, each with its path.
     pub(super) functions: Vec<(String, syn::ExprPath)>,
     /// Parameters that take closures.
     pub called: Vec<String>,

@@ -208,7 +208,7 @@ mod below {
 
     /// A turn of a circle times a number.
     #[function]
-    pub fn turns<T: FloatConst + Num>(count: T) -> T {
+    pub fn circles<T: FloatConst + Num>(count: T) -> T {
         T::TAU() * count + <T as FloatConst>::E() * T::one()
     }
 }
@@ -216,5 +216,5 @@ mod below {
 /// By names of the module above.
 #[function]
 pub fn of_the_module_below(x: f64, y: f32) -> (f64, f32) {
-    (below::turns(x), below::turns(y))
+    (below::circles(x), below::circles(y))
 }

@@ -1,4 +1,4 @@
-//! A filter that is generic over simba's numbers, as crates of the field have it: quaternions by index, a matrix of 36
+//! A filter that is generic over simba's numbers, as crates of the field have it. It has quaternions by index, a matrix of 36
 //! elements, and an interface whose methods return a reference in a `Result`.
 
 use bessemer::nalgebra::{
@@ -13,7 +13,7 @@ pub enum Lost {
     Direction,
 }
 
-/// What a filter does.
+/// Operations of a filter.
 #[interface]
 pub trait Filter<N: Scalar + SimdValue> {
     /// Corrects the attitude by a direction.
@@ -43,7 +43,7 @@ impl<N: SimdRealField + Copy> Attitude<N> {
         )
     }
 
-    /// A given attitude.
+    /// An attitude from a quaternion.
     pub fn with(period: N, quat: UnitQuaternion<N>) -> Self {
         Attitude { period, integral: nalgebra::zero(), quat }
     }
