@@ -8,9 +8,9 @@ pub fn first(list: &[Option<f64>; 3]) -> Option<f64> {
     list.iter().copied().sum()
 }
 
-/// A reference to a value that is computed.
+/// A mutable reference that an `if` chooses.
 #[function]
-pub fn second(values: &[f64; 3], n: usize) -> f64 {
-    let value = &(values[n] * 2.0);
-    *value + 1.0
+pub fn second(left: &mut f64, right: &mut f64, first: bool) {
+    let chosen = if first { left } else { right };
+    *chosen += 1.0;
 }

@@ -313,6 +313,12 @@ impl Lowering<'_, '_> {
         if let (None, Some(lent)) = (&place, lent) {
             place = Some(self.held(lent)?);
         }
+        if let (None, Some(value)) = (&place, value.and_then(referent_without_place)) {
+            let (ty, span) = (self.refers_to(slot, site)?, self.span(site));
+            let own = self
+                .naming_as(name, |inner| inner.decided_by(name.to_owned(), ty, Some(value), span));
+            place = Some(own?);
+        }
         let reason = match value.is_some_and(control_with_value) {
             true => refusals::CHOSEN_REFERENCE,
             false => refusals::NAMED_REFERENCE,
@@ -325,6 +331,16 @@ impl Lowering<'_, '_> {
         }
         self.bind(name, Value::Place(place));
         Ok(())
+    }
+}
+
+/// Returns the value to which `expr` refers, unless it has a place or a call returns it: Rust gives it one, which lives as
+/// long as the name.
+fn referent_without_place(expr: &tree::Expr) -> Option<&tree::Expr> {
+    match &expr.kind {
+        tree::ExprKind::Ref(_, inner) => Some(inner),
+        tree::ExprKind::Bytes(_) => Some(expr),
+        _ => None,
     }
 }
 
