@@ -66,6 +66,10 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         {
             "require it of the type parameter: `T: Copy`, or a bound that implies it, such as `T: Real`".to_owned()
         }
+        "E0382" if message.rendered.contains("implicit call to `.into_iter()`") => {
+            let name = quoted.first().copied().unwrap_or("values");
+            format!("loop by reference: `for value in &{name}`, or `in {name}.by_ref()` if it is an iterator")
+        }
         "E0382" | "E0507" if message.rendered.contains("does not implement the `Copy` trait") => {
             format!("{COPY}; or pass it by reference: `&{marked}`")
         }
