@@ -34,7 +34,7 @@ pub fn counted(end: u32) -> u32 {
     sum ^ count.at
 }
 
-/// An array of what is not `Copy`.
+/// An array whose elements are not `Copy`.
 #[function]
 pub fn listed(counts: [Count; 2]) -> u32 {
     let mut sum = 0u32;

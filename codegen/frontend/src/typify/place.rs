@@ -334,8 +334,8 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Returns the value to which `expr` refers, unless it has a place or a call returns it: Rust gives it one, which lives as
-/// long as the name.
+/// Returns the value without a place to which `expr` refers. Rust gives it a place that lives as long as the name. The
+/// caller has found no place.
 fn referent_without_place(expr: &tree::Expr) -> Option<&tree::Expr> {
     match &expr.kind {
         tree::ExprKind::Ref(_, inner) => Some(inner),
