@@ -57,7 +57,7 @@ pub fn tree(job: &Job, folders: &[PathBuf]) -> Result<Tree, Error> {
     let made = generate::tree(job);
     let outcome = match &made {
         Ok(Tree { package, warnings }) => Some(Outcome::Built { package, warnings }),
-        Err(Error::Models(told)) if !told.diagnostics.is_empty() => {
+        Err(Error::Models(told)) if is_about_source(&told.diagnostics) => {
             Some(Outcome::Refused(&told.diagnostics))
         }
         Err(_) => None,
@@ -66,6 +66,12 @@ pub fn tree(job: &Job, folders: &[PathBuf]) -> Result<Tree, Error> {
         write(&outcome, &stored).map_err(|source| Error::File { path: stored, source })?;
     }
     made
+}
+
+/// Returns true if each message is about a place in a source. One without a place may be about the machine, such as a full
+/// disk, and another build may succeed.
+fn is_about_source(diagnostics: &[Diagnostic]) -> bool {
+    !diagnostics.is_empty() && diagnostics.iter().all(|it| it.line > 0 && !it.file.is_empty())
 }
 
 /// Returns the folders of this workspace's packages of models; those of tests depend on each other.
@@ -133,6 +139,16 @@ fn write(outcome: &(impl Serialize + Sync), stored: &Path) -> std::io::Result<()
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_message_without_a_place_is_not_stored() {
+        let at =
+            |file: &str, line| Diagnostic { file: file.to_owned(), line, ..Diagnostic::default() };
+        let (placed, full_disk) = (at("models/src/pid.rs", 3), at("", 0));
+        assert!(is_about_source(std::slice::from_ref(&placed)));
+        assert!(!is_about_source(&[placed, full_disk]));
+        assert!(!is_about_source(&[]));
+    }
 
     #[test]
     fn a_tree_moves_with_all_that_decides_it() -> std::io::Result<()> {
