@@ -292,6 +292,7 @@ impl Lowering<'_, '_> {
         value: Option<&tree::Expr>,
         site: Site,
     ) -> Result<()> {
+        let value = value.map(reborrowed);
         if let Some(value) = value
             && self.alias_of_arm((name, slot), value, site)?
         {
@@ -319,7 +320,7 @@ impl Lowering<'_, '_> {
                 .naming_as(name, |inner| inner.decided_by(name.to_owned(), ty, Some(value), span));
             place = Some(own?);
         }
-        let reason = match value.is_some_and(control_with_value) {
+        let reason = match value.is_some_and(|value| control_with_value(bare(value))) {
             true => refusals::CHOSEN_REFERENCE,
             false => refusals::NAMED_REFERENCE,
         };
@@ -334,11 +335,25 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Returns the value without a place to which `expr` refers. Rust gives it a place that lives as long as the name. The
-/// caller has found no place.
-fn referent_without_place(expr: &tree::Expr) -> Option<&tree::Expr> {
+/// Returns the reference that `expr` borrows again: `r` of `&mut *r`.
+fn reborrowed(expr: &tree::Expr) -> &tree::Expr {
     match &expr.kind {
-        tree::ExprKind::Ref(_, inner) => Some(inner),
+        tree::ExprKind::Ref(_, inner) => match &inner.kind {
+            tree::ExprKind::Deref(reference) => reborrowed(reference),
+            _ => expr,
+        },
+        _ => expr,
+    }
+}
+
+/// Returns the value without a place to which `expr` refers. Rust gives it a place that lives as long as the name. The
+/// caller has found no place, so an expression that Rust takes for a place, and may be written, has no such value.
+fn referent_without_place(expr: &tree::Expr) -> Option<&tree::Expr> {
+    use tree::ExprKind::{Deref, Field, Index};
+    match &expr.kind {
+        tree::ExprKind::Ref(_, inner) => {
+            (!matches!(inner.kind, Deref(_) | Field(..) | Index(..))).then_some(inner)
+        }
         tree::ExprKind::Bytes(_) => Some(expr),
         _ => None,
     }
