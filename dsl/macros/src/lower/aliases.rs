@@ -4,6 +4,10 @@
 //!
 //! Must not know: types.
 
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
 use syn::visit::{self, Visit};
 
 use super::names::text;
@@ -11,33 +15,34 @@ use super::written::{Named, Written};
 
 /// Bound names, each with the names that may be written through it.
 #[derive(Default)]
-pub struct Aliases(Vec<(String, Vec<String>)>);
+pub struct Aliases(BTreeMap<String, BTreeSet<String>>);
 
 impl Aliases {
-    /// Returns the aliases in the body of a function.
+    /// Returns the aliases in the body of a function. Only copies for `move` closures depend on them, so that a body
+    /// without such a closure needs none.
     pub fn of(body: &syn::Block) -> Aliases {
         let mut aliases = Aliases::default();
-        aliases.visit_block(body);
+        if has_move(body.to_token_stream()) {
+            aliases.visit_block(body);
+        }
         aliases
     }
 
     /// Returns the names that code may write through the aliases that it names outside `move` closures.
     pub(super) fn written_by(&self, visit: impl FnOnce(&mut Named)) -> Vec<String> {
-        let named = Named::of(visit);
-        let mut open: Vec<&str> = self.0.iter().map(|(alias, _)| alias.as_str()).collect();
-        open.retain(|alias| named.iter().any(|it| it == alias));
-        let mut written: Vec<String> = Vec::new();
+        if self.0.is_empty() {
+            return Vec::new();
+        }
+        let mut open = Named::of(visit);
+        let mut written = BTreeSet::new();
         while let Some(alias) = open.pop() {
-            for (_, of) in self.0.iter().filter(|(name, _)| name == alias) {
-                for name in of {
-                    if !written.contains(name) {
-                        written.push(name.clone());
-                        open.push(name);
-                    }
+            for name in self.0.get(&alias).into_iter().flatten() {
+                if written.insert(name.clone()) {
+                    open.push(name.clone());
                 }
             }
         }
-        written
+        written.into_iter().collect()
     }
 
     /// Notes that a pattern, or a place, has a value.
@@ -45,11 +50,10 @@ impl Aliases {
         let mut of = Written::of(|it| it.visit_expr(value));
         // An alias may be handed on by its name alone.
         let named = Named::of(|it| it.visit_expr(value));
-        let known = self.0.iter().map(|(alias, _)| alias).filter(|alias| named.contains(alias));
-        of.extend(known.cloned());
+        of.extend(named.into_iter().filter(|name| self.0.contains_key(name)));
         for name in bound {
-            let of = of.iter().filter(|it| **it != name).cloned().collect();
-            self.0.push((name, of));
+            let of = of.iter().filter(|it| **it != name).cloned();
+            self.0.entry(name.clone()).or_default().extend(of);
         }
     }
 
@@ -59,7 +63,9 @@ impl Aliases {
         bound.visit_pat(pattern);
         if bound.borrows {
             let of = Written::of(|it| it.note(value));
-            self.0.extend(bound.names.iter().map(|name| (name.clone(), of.clone())));
+            for name in &bound.names {
+                self.0.entry(name.clone()).or_default().extend(of.iter().cloned());
+            }
         }
         self.note(bound.names, value);
     }
@@ -93,6 +99,15 @@ impl<'ast> Visit<'ast> for Aliases {
         self.note(place, &it.right);
         visit::visit_expr_assign(self, it);
     }
+}
+
+/// Returns true if the word `move` is among the tokens.
+fn has_move(tokens: TokenStream) -> bool {
+    tokens.into_iter().any(|token| match token {
+        TokenTree::Ident(word) => word == "move",
+        TokenTree::Group(group) => has_move(group.stream()),
+        _ => false,
+    })
 }
 
 /// Names that a pattern binds.
