@@ -74,7 +74,7 @@ reasons! {
     CONSTANT_PATTERN: "a constant of this type cannot be a pattern", "compare with `==`";
     PATTERN: "this pattern cannot match a value of this type", "destructure arrays, tuples, structs and variants";
     INDEXED: "only arrays, slices, lists, matrices, vectors and types with a marked `impl Index` can be indexed", "of a type of your own: mark its `impl Index` block `#[data]`; otherwise use `[T; N]`, or a vector";
-    CHOSEN_REFERENCE: "a mutable reference cannot be chosen by an `if` or a `match` here", "write in each branch: `if left { a += 1 } else { b += 1 }`; or choose an index: `let i = if left { 0 } else { 1 };`, and write to `values[i]`";
+    CHOSEN_REFERENCE: "a mutable reference cannot be the value of an `if`, a `match`, a block or a loop here", "borrow the variable itself: `&mut a`; or write in each branch: `if left { a += 1 } else { b += 1 }`; or choose an index: `let i = if left { 0 } else { 1 };`, and write to `values[i]`";
     NAMED_REFERENCE: "a reference variable must name a variable, a field or an element", "copy the value: `let x = *place;`; or pass the reference as an argument; or unwrap it: `let Some(x) = … else { … };`";
     TWO_INDEXINGS: "`Index` and `IndexMut` of this type return different places, and either may be meant here", "write one and the same body in both, or methods with names";
     LENDS_NOTHING: "this function must end in the place that it returns by reference", "end in `&self.field`";
