@@ -48,7 +48,7 @@ impl<'n> Enumerators<'n> {
                 let (mut links, mut rest) = chain(stmt);
                 links.iter_mut().for_each(|link| self.rewrite(&mut link.body));
                 self.rewrite(&mut rest);
-                body.extend(self.chosen(&links, rest, &mut Excluded::new()));
+                body.extend(self.chosen(links.into_iter(), rest, &mut Excluded::new()));
                 continue;
             }
             stmt.kind.blocks_mut().into_iter().for_each(|block| self.rewrite(block));
@@ -90,19 +90,28 @@ impl<'n> Enumerators<'n> {
     }
 
     /// Returns the statements of a chain; `excluded` are the variants that a place cannot have any more.
-    fn chosen(&self, links: &[Link], rest: Vec<Stmt>, excluded: &mut Excluded) -> Vec<Stmt> {
-        let Some((first, others)) = links.split_first() else { return rest };
-        let tests: Vec<Test> = links.iter().map_while(|link| self.test(&link.condition)).collect();
+    fn chosen(
+        &self,
+        mut links: std::vec::IntoIter<Link>,
+        rest: Vec<Stmt>,
+        excluded: &mut Excluded,
+    ) -> Vec<Stmt> {
+        let chain = links.as_slice();
+        let tests: Vec<Test> = chain.iter().map_while(|link| self.test(&link.condition)).collect();
         let alike = tests.iter().take_while(|test| test.compares_like(&tests[0])).count();
         let mut length = alike;
         while length > 1 {
-            let behind = Behind { links: &links[length..], rest: &rest };
-            match self.cases(&links[..length], &tests[..length], &behind, excluded) {
-                Ok(cases) => {
+            let chain = links.as_slice();
+            let behind = Behind { links: &chain[length..], rest: &rest };
+            match self.cases(&chain[..length], &tests[..length], &behind, excluded) {
+                Ok((groups, others)) => {
                     let closed = tests[..length].iter().filter(|test| test.guard.is_none());
                     closed.for_each(|test| test.exclude(excluded));
-                    let rest = self.chosen(&links[length..], rest, excluded);
-                    return vec![self.written(cases, &tests[0], rest, first.origin)];
+                    let origin = chain[0].origin;
+                    let tested = links.by_ref().take(length).zip(&tests).collect();
+                    let cases = Cases { cases: Case::of(groups, tested), others };
+                    let rest = self.chosen(links, rest, excluded);
+                    return vec![self.written(cases, &tests[0], rest, origin)];
                 }
                 Err(fewer) => length = fewer,
             }
@@ -110,17 +119,19 @@ impl<'n> Enumerators<'n> {
         if let Some(test) = tests.first().filter(|test| test.guard.is_none()) {
             test.exclude(excluded);
         }
-        vec![first.followed_by(self.chosen(others, rest, excluded))]
+        let Some(first) = links.next() else { return rest };
+        vec![first.followed_by(self.chosen(links, rest, excluded))]
     }
 
-    /// Sorts links that compare one place into cases; an error is the number of links to try next.
+    /// Sorts links that compare one place into groups, and returns the variants of none; an error is the number of links
+    /// to try next.
     fn cases(
         &self,
         links: &[Link],
         tests: &[Test],
         behind: &Behind,
         excluded: &Excluded,
-    ) -> Result<Cases, usize> {
+    ) -> Result<(Vec<Group>, Vec<usize>), usize> {
         let fewer = links.len() - 1;
         let (mut groups, mut others): (Vec<Group>, Vec<usize>) = Default::default();
         for at in 0..self.enums[tests[0].id].len() {
@@ -165,15 +176,7 @@ impl<'n> Enumerators<'n> {
         if falling + otherwise > 1 && !behind.is_short() || moves && behind.leaves_loop() {
             return Err(fewer);
         }
-        let case = |group: Group| {
-            let branch = |link: &usize| (tests[*link].guard.clone(), links[*link].clone());
-            Case {
-                branches: group.links.iter().map(branch).collect(),
-                variants: group.variants,
-                falls: group.falls,
-            }
-        };
-        Ok(Cases { cases: groups.into_iter().map(case).collect(), others })
+        Ok((groups, others))
     }
 
     /// Writes cases down; `rest` is what happens where none of them is met.
@@ -198,9 +201,9 @@ impl<'n> Enumerators<'n> {
             return Stmt { kind: choice(condition, then, rest), origin };
         }
         let mut arms: Vec<(Vec<usize>, Vec<Stmt>)> = Vec::new();
-        for case in cases {
-            let body = case.body(&rest);
-            arms.push((case.variants, body));
+        for mut case in cases {
+            let variants = std::mem::take(&mut case.variants);
+            arms.push((variants, case.body(&rest)));
         }
         if !others.is_empty() {
             arms.push((others, rest));
@@ -276,7 +279,7 @@ impl Test {
     }
 }
 
-/// An `if` of a chain.
+/// An `if` of a chain. Its body may be the rest of the function, so it is copied only where several cases share it.
 #[derive(Clone)]
 struct Link {
     condition: Expr,
@@ -285,9 +288,8 @@ struct Link {
 }
 
 impl Link {
-    fn followed_by(&self, otherwise: Vec<Stmt>) -> Stmt {
-        let kind = choice(self.condition.clone(), self.body.clone(), otherwise);
-        Stmt { kind, origin: self.origin }
+    fn followed_by(self, otherwise: Vec<Stmt>) -> Stmt {
+        Stmt { kind: choice(self.condition, self.body, otherwise), origin: self.origin }
     }
 }
 
@@ -324,13 +326,33 @@ struct Case {
 }
 
 impl Case {
-    fn body(&self, rest: &[Stmt]) -> Vec<Stmt> {
+    /// Returns the case of each group.
+    fn of(groups: Vec<Group>, tested: Vec<(Link, &Test)>) -> Vec<Case> {
+        let mut uses = vec![0; tested.len()];
+        groups.iter().flat_map(|group| &group.links).for_each(|link| uses[*link] += 1);
+        let mut tested: Vec<_> = tested.into_iter().map(Some).collect();
+        let mut branch = |at: usize| {
+            uses[at] -= 1;
+            let (link, test) = match uses[at] {
+                0 => tested[at].take(),
+                _ => tested[at].clone(),
+            }?;
+            Some((test.guard.clone(), link))
+        };
+        let case = |group: Group| Case {
+            branches: group.links.into_iter().filter_map(&mut branch).collect(),
+            variants: group.variants,
+            falls: group.falls,
+        };
+        groups.into_iter().map(case).collect()
+    }
+
+    fn body(self, rest: &[Stmt]) -> Vec<Stmt> {
         let rest = if self.falls { rest.to_vec() } else { Vec::new() };
-        self.branches.iter().rev().fold(rest, |otherwise, (guard, link)| match guard {
-            None => link.body.clone(),
+        self.branches.into_iter().rev().fold(rest, |otherwise, (guard, link)| match guard {
+            None => link.body,
             Some(guard) => {
-                let kind = choice(guard.clone(), link.body.clone(), otherwise);
-                vec![Stmt { kind, origin: link.origin }]
+                vec![Stmt { kind: choice(guard, link.body, otherwise), origin: link.origin }]
             }
         })
     }

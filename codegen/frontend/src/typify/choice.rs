@@ -1,5 +1,7 @@
 //! Lowering of `match`: a `switch` if the arms name few values, else a chain of conditions.
 
+use std::borrow::Cow;
+
 use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site};
 use bessemer_ir::{
@@ -24,6 +26,19 @@ type Branch = (Option<Expr>, Block);
 /// The values that an arm matches; none: all that no earlier arm matches.
 type Words = Option<Vec<i128>>;
 
+/// An alternative of an arm. Guard and body stay in the tree: a copy at each level of nested arms would cost the square of
+/// their depth.
+struct Case<'t> {
+    pattern: Cow<'t, Pattern>,
+    arm: &'t tree::Arm,
+}
+
+impl<'t> Case<'t> {
+    fn whole(arm: &'t tree::Arm) -> Case<'t> {
+        Case { pattern: Cow::Borrowed(&arm.pattern), arm }
+    }
+}
+
 impl Lowering<'_, '_> {
     /// Lowers `match`, and assigns its value to `target` if there is one.
     pub(super) fn match_stmt(
@@ -35,6 +50,7 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let span = self.span(site);
         let arms = reachable(arms);
+        let whole: Vec<Case> = arms.iter().map(Case::whole).collect();
         let subject = match &scrutinee.kind {
             tree::ExprKind::Tuple(_) => Some(self.subject(scrutinee)?),
             _ => self.lent(scrutinee)?,
@@ -45,10 +61,10 @@ impl Lowering<'_, '_> {
         let value = self.value(scrutinee, None)?;
         if !arms.iter().any(|arm| has_names(&arm.pattern))
             && value.ty.is_word()
-            && let Some(listed) = self.listed(&value.ty, arms)?
+            && let Some(listed) = self.listed(&value.ty, &whole)?
         {
-            return self.listed_arms((value, listed), arms, span, |inner, arm| {
-                inner.lowered(&arm.body, target)
+            return self.listed_arms((value, listed), &whole, span, |inner, case| {
+                inner.lowered(&case.arm.body, target)
             });
         }
         let before = self.locals.len();
@@ -61,7 +77,7 @@ impl Lowering<'_, '_> {
             && !place.steps.is_empty()
             && let Some((name, slot)) = arms.iter().find_map(|arm| named_whole(&arm.pattern))
             && !self.slot_is_reference(slot, site)?
-            && self.listed(&place.ty, arms)?.is_none()
+            && self.listed(&place.ty, &whole)?.is_none()
         {
             // The conditions look at it by its name.
             *place = self.hold_copy(name, place.clone());
@@ -80,20 +96,20 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         // Of a number each alternative gives the same name.
         let is_word = matches!(&subject, Value::Place(place) if place.ty.is_word());
-        let arms = match is_word {
-            true => arms.to_vec(),
+        let cases: Vec<Case> = match is_word {
+            true => arms.iter().map(Case::whole).collect(),
             false => arms.iter().flat_map(spread).collect(),
         };
         if let Value::Place(place) = &subject
-            && let Some(listed) = self.listed(&place.ty, &arms)?
+            && let Some(listed) = self.listed(&place.ty, &cases)?
         {
             let of = match place.ty {
                 Type::Struct(id) => self.part(place, id, 0),
                 _ => place.clone(),
             };
-            return self.listed_arms((of.load(), listed), &arms, span, |inner, arm| {
-                inner.bind_pattern(&arm.pattern, &subject, arm.site)?;
-                inner.lowered(&arm.body, target)
+            return self.listed_arms((of.load(), listed), &cases, span, |inner, case| {
+                inner.bind_pattern(&case.pattern, &subject, case.arm.site)?;
+                inner.lowered(&case.arm.body, target)
             });
         }
         // The later arms and the guard's own names must not see what a guard writes to what a part was copied from.
@@ -104,28 +120,29 @@ impl Lowering<'_, '_> {
                 subject = self.part_held(subject, scrutinee);
             }
         }
-        self.arms_by_conditions(&arms, span, None, &|inner, arm, last| {
-            let test = inner.arm_test(arm, &subject, last)?;
+        self.arms_by_conditions(&cases, span, None, &|inner, case, last| {
+            let test = inner.arm_test(case, &subject, last)?;
             let then = inner.scoped(|inner| {
                 let before = inner.locals.len() as u32;
                 inner.bind_names(&test.names)?;
-                if arm.guard.is_some() {
+                if case.arm.guard.is_some() {
                     // A name may be the guard's alone.
                     let names = before..inner.locals.len() as u32;
                     names.for_each(|name| inner.locals.note_optional(LocalId(name)));
                 }
-                inner.lowered(&arm.body, target)
+                inner.lowered(&case.arm.body, target)
             })?;
             Ok((test.condition, then))
         })
     }
 
     /// Returns the condition under which an arm is taken, including its guard.
-    fn arm_test(&mut self, arm: &tree::Arm, subject: &Value, last: bool) -> Result<Test> {
-        let mut test = self.test(&arm.pattern, subject, arm.site)?;
-        match last && !arm.guard.as_ref().is_some_and(has_let) {
+    fn arm_test(&mut self, case: &Case, subject: &Value, last: bool) -> Result<Test> {
+        let mut test = self.test(&case.pattern, subject, case.arm.site)?;
+        let guard = case.arm.guard.as_ref();
+        match last && !guard.is_some_and(has_let) {
             true => test.condition = None,
-            false => self.guard(&mut test, arm.guard.as_ref(), None)?,
+            false => self.guard(&mut test, guard, None)?,
         }
         Ok(test)
     }
@@ -222,11 +239,11 @@ impl Lowering<'_, '_> {
     fn listed_arms(
         &mut self,
         (of, listed): (Expr, Vec<Words>),
-        arms: &[tree::Arm],
+        named: &[Case],
         span: Span,
-        lower: impl Fn(&mut Self, &tree::Arm) -> Result<()>,
+        lower: impl Fn(&mut Self, &Case) -> Result<()>,
     ) -> Result<()> {
-        let (mut cases, mut otherwise) = self.cases(listed.into_iter().zip(arms), lower)?;
+        let (mut cases, mut otherwise) = self.cases(listed.into_iter().zip(named), lower)?;
         let two = cases.iter().map(|case| case.values.len()).sum::<usize>() == 2;
         if of.ty == Type::BOOL && two || otherwise.is_none() && of.ty.as_int().is_some() {
             // The arms name every value: the last takes what is left.
@@ -252,10 +269,10 @@ impl Lowering<'_, '_> {
 
     /// Returns the values that each arm matches, of a number or of an enum's tag. Returns none if an arm has a guard,
     /// matches a payload, or has many values.
-    fn listed(&mut self, of: &Type, arms: &[tree::Arm]) -> Result<Option<Vec<Words>>> {
+    fn listed(&mut self, of: &Type, cases: &[Case]) -> Result<Option<Vec<Words>>> {
         let mut listed = Vec::new();
-        for arm in arms {
-            listed.push(match &arm.pattern {
+        for Case { pattern, arm } in cases {
+            listed.push(match &**pattern {
                 _ if arm.guard.is_some() => return Ok(None),
                 pattern if takes_all(pattern) => None,
                 pattern => match self.words(pattern, of, arm.site)? {
@@ -368,9 +385,9 @@ impl Lowering<'_, '_> {
 }
 
 /// Splits an arm with names inside `|` into an arm for each alternative.
-fn spread(arm: &tree::Arm) -> Vec<tree::Arm> {
-    let arms = alternatives(&arm.pattern).into_iter();
-    arms.map(|pattern| tree::Arm { pattern, ..arm.clone() }).collect()
+fn spread(arm: &tree::Arm) -> Vec<Case<'_>> {
+    let patterns = alternatives(&arm.pattern).into_iter();
+    patterns.map(|pattern| Case { pattern: Cow::Owned(pattern), arm }).collect()
 }
 
 /// Returns the name that a pattern binds to the whole value, and its slot.

@@ -1,6 +1,7 @@
 //! Lowers `let` with a pattern, and tuples that are never built, such as the items of `zip` and `enumerate` in
 //! expanded functions. A name of such a tuple denotes its parts; the tuple is built only if it is used as a value.
 
+use std::borrow::Cow;
 use std::cell::RefCell;
 
 use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Site};
@@ -126,11 +127,12 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<bool> {
         let (subject, arms) = match &value.kind {
-            Tree::Match(subject, arms) => (subject, arms.clone()),
+            Tree::Match(subject, arms) => (subject, Cow::Borrowed(&arms[..])),
             Tree::If(condition, then, otherwise @ Some(_))
                 if let Tree::Let(pattern, subject) = &condition.kind =>
             {
-                (subject, either(pattern, then, otherwise.as_deref(), value.site).into())
+                let arms = either(pattern, then, otherwise.as_deref(), value.site);
+                (subject, Cow::Owned(arms.into()))
             }
             _ => return Ok(false),
         };
