@@ -1,4 +1,4 @@
-//! Mutable references that an `if`, a `match`, a block or a loop chooses, and that are borrowed again.
+//! Mutable references that an `if`, a `match`, a block or a loop chooses, and that are borrowed again, whole or in part.
 #![no_std]
 use bessemer::prelude::*;
 
@@ -41,4 +41,36 @@ pub fn by_loop(x: u32) -> u32 {
     };
     *chosen = 2;
     a
+}
+
+/// A pair.
+#[data]
+#[derive(Clone, Copy)]
+pub struct Pair {
+    /// First.
+    pub x: u32,
+    /// Second.
+    pub y: [u32; 2],
+}
+
+/// A field of one of two variables.
+#[function]
+pub fn a_field(c: bool) -> u32 {
+    let (mut p, mut q) = (Pair { x: 1, y: [2, 3] }, Pair { x: 4, y: [5, 6] });
+    let chosen = &mut (if c { &mut p } else { &mut q }).x;
+    *chosen = 7;
+    p.x ^ q.x
+}
+
+/// An element of a field of one of two variables.
+#[function]
+pub fn an_element(c: bool) -> u32 {
+    let (mut p, mut q) = (Pair { x: 1, y: [2, 3] }, Pair { x: 4, y: [5, 6] });
+    let chosen = &mut (match c {
+        true => &mut p,
+        false => &mut q,
+    })
+    .y[1];
+    *chosen = 7;
+    p.y[1] ^ q.y[1]
 }

@@ -298,13 +298,16 @@ impl Lowering<'_, '_> {
         {
             return Ok(());
         }
+        let exclusive = self.slot_is_exclusive(slot, site)?;
+        if exclusive && value.and_then(whole_of).is_some_and(control_with_value) {
+            return refused(site, refusals::CHOSEN_REFERENCE);
+        }
         let naming = match value.map(|value| &bare(value).kind) {
             Some(tree::ExprKind::Call(..) | tree::ExprKind::Try(..)) => self.naming.clone(),
             _ => name.trim_matches('_').to_owned(),
         };
         let mut place =
             value.map_or(Ok(None), |value| self.naming_as(naming, |inner| inner.place(value)))?;
-        let exclusive = self.slot_is_exclusive(slot, site)?;
         // The place of a shared reference is not written while the reference lives, so a copy has the same value.
         let chosen = |value: &tree::Expr| {
             matches!(value.kind, tree::ExprKind::Apply(..)) || control_with_value(value)
@@ -343,6 +346,18 @@ fn reborrowed(expr: &tree::Expr) -> &tree::Expr {
             _ => expr,
         },
         _ => expr,
+    }
+}
+
+/// Returns the expression of whose value a reference denotes a part: `v` of `&mut v.x[1]`, and nothing of `&mut v`.
+fn whole_of(reference: &tree::Expr) -> Option<&tree::Expr> {
+    use tree::ExprKind::{Deref, Field, Index, Ref, Slice};
+    match &reference.kind {
+        Ref(_, inner) => whole_of(inner),
+        Deref(base) | Field(base, _) | Index(base, _) | Slice(base, ..) => {
+            Some(whole_of(base).unwrap_or_else(|| bare(base)))
+        }
+        _ => None,
     }
 }
 
