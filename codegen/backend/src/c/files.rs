@@ -7,6 +7,7 @@
 
 mod about;
 mod constants;
+mod copied;
 mod draft;
 mod includes;
 mod inline;
@@ -257,6 +258,7 @@ impl Writer<'_> {
         let mut includes = Includes::default();
         let mut definitions = Vec::new();
         let mut prototypes = Vec::new();
+        let mut written = Vec::new();
         let mut asked = BTreeSet::new();
         let callables: Vec<Callable> =
             self.inline().chain(self.unit.functions.iter().copied()).collect();
@@ -284,7 +286,9 @@ impl Writer<'_> {
                 prototypes.push((at, self.prototype(id, false)));
             }
             definitions.push((at, self.definition(id, &mut uses, &mut includes, &mut asked)));
+            written.push(id);
         }
+        let copies = self.copies(written, &mut uses, &mut includes);
         let mut items: Vec<Item> = Vec::new();
         asked.extend(uses.unroll.then_some(asked::Macro::Unroll));
         let constants = self.constants(&uses.consts, &mut includes);
@@ -292,10 +296,11 @@ impl Writer<'_> {
         asked.extend(constants.iter().any(placed).then_some(asked::Macro::Section));
         items.extend(asked.iter().map(|asked| Item::Verbatim(asked.text(self.options))));
         items.extend(constants);
-        for mut part in [prototypes, definitions] {
-            part.sort_by_key(|(at, _)| *at);
-            items.extend(part.into_iter().map(|(_, item)| item));
-        }
+        prototypes.sort_by_key(|(at, _)| *at);
+        definitions.sort_by_key(|(at, _)| *at);
+        items.extend(prototypes.into_iter().map(|(_, item)| item));
+        items.extend(copies);
+        items.extend(definitions.into_iter().map(|(_, item)| item));
         includes.uses(self.context, self.options, &mut uses);
         (self.draft("c", items, includes), uses)
     }

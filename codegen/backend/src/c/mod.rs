@@ -34,6 +34,7 @@ mod lower;
 mod matrices;
 mod mentions;
 pub mod names;
+mod near;
 mod options;
 pub mod outside;
 mod passing;

@@ -10,7 +10,7 @@
 //! * A field, parameter or variable with a reserved name gets a trailing `_`.
 //! * An item's name depends only on the items that want the same name.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::{
     ConstId, EnumId, Function, FunctionId, Given, Module, Owner, Role, StructId, Type,
@@ -22,6 +22,7 @@ use super::helpers::is_helper_name;
 use super::internal;
 use super::library::{self, Math};
 use super::matrices::{Layout, Size};
+use super::near::Near;
 use super::options::Options;
 use super::placing::Placing;
 use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
@@ -75,6 +76,7 @@ pub struct Names {
     globals: BTreeSet<String>,
     /// Signatures by [`FunctionId`].
     pub functions: Vec<Signature>,
+    near: Near,
     /// Names of the status type.
     pub status: StatusNames,
     /// Layout of matrices in memory.
@@ -96,6 +98,7 @@ impl Names {
             consts: ConstNames::default(),
             globals: BTreeSet::new(),
             functions: Vec::new(),
+            near: Near::default(),
             status: StatusNames::new(options),
             layout: options.layout,
             placing: Placing::new(module, options),
@@ -104,6 +107,8 @@ impl Names {
         names.name_functions(module, options);
         names.consts = ConstNames::new(module, &names.functions, &names.globals, &options.prefix);
         names.name_parameters(module, faults);
+        let is_taken = |name: &str| names.is_global(name);
+        names.near = Near::new(module, &names.functions, &names.placing, faults, is_taken);
         names
     }
 
@@ -377,7 +382,10 @@ fn long_name(names: &Names, module: &Module, function: &Function, options: &Opti
 impl Names {
     /// Returns true if a name has a global meaning in some file, which a local would hide.
     pub(super) fn is_global(&self, name: &str) -> bool {
-        is_helper_name(name) || self.globals.contains(name) || self.consts.contains(name)
+        is_helper_name(name)
+            || self.globals.contains(name)
+            || self.consts.contains(name)
+            || self.near.contains(name)
     }
 
     fn gather_globals(&mut self, functions: &[String]) {
@@ -415,6 +423,19 @@ impl Names {
     /// Returns the signature of a function.
     pub fn signature(&self, id: FunctionId) -> &Signature {
         &self.functions[id.index()]
+    }
+
+    /// Returns the name by which a function calls another.
+    pub fn called(&self, caller: FunctionId, callee: FunctionId) -> &str {
+        self.near.name(caller, callee).unwrap_or(&self.functions[callee.index()].name)
+    }
+
+    /// Returns the functions of which these functions call copies, each with the copy's name.
+    pub fn copied(
+        &self,
+        callers: impl Iterator<Item = FunctionId>,
+    ) -> BTreeMap<FunctionId, String> {
+        self.near.copied(callers)
     }
 
     /// Returns true if functions of a C library replace some of the module's.

@@ -13,7 +13,7 @@ impl Lower<'_> {
     /// Returns a call as an expression; its result is one word, and it cannot fault.
     pub(super) fn call_value(&mut self, callee: FunctionId, arguments: &[Argument]) -> Expr {
         let list = self.arguments(callee, arguments);
-        Expr::call(&self.context.names.signature(callee).name, list)
+        Expr::call(self.context.names.called(self.id, callee), list)
     }
 
     /// Emits an expression for its effect.
@@ -118,7 +118,8 @@ impl Lower<'_> {
         if signature.returned == Returned::Status {
             self.guarded(callee, list);
         } else {
-            self.emit(StmtKind::Expr(Expr::call(&signature.name, list)));
+            let name = self.context.names.called(self.id, callee);
+            self.emit(StmtKind::Expr(Expr::call(name, list)));
         }
     }
 

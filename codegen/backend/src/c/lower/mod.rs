@@ -78,6 +78,7 @@ impl Binding {
 /// The state of lowering one function.
 pub(super) struct Lower<'a> {
     context: Context<'a>,
+    id: FunctionId,
     function: &'a Function,
     signature: &'a Signature,
     usage: Usage,
@@ -124,6 +125,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
     let function = &context.module.functions[id.index()];
     let mut lower = Lower {
         context,
+        id,
         function,
         signature: context.names.signature(id),
         usage: Usage::new(function),
