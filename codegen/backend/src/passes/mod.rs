@@ -12,7 +12,8 @@
 //! * **F4** the bounds of a loop do not change while it runs, unless its body ends it.
 //!
 //! The meaning is preserved: equal results, and the same fault first. There is no optimisation: no constant folding,
-//! no reordering, no renaming of the author's locals; and explicit code is unchanged. Part of a condition that no
+//! no renaming of the author's locals; and explicit code is unchanged. Passes of an outer loop that
+//! share their loads run side by side, each number in its own order ([`tiles`]); nothing else is reordered. Part of a condition that no
 //! execution decides otherwise is left out ([`decided`]).
 
 mod analysis;
@@ -35,6 +36,7 @@ mod sites;
 mod sizes;
 mod statements;
 mod tidy;
+mod tiles;
 
 pub use callees::{fallible, reached};
 pub use explicit::{Problem, Rule, check};
@@ -127,6 +129,11 @@ pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec
             kept.push(kept_all.function);
         }
         Proved.block(&mut done.body);
+        if let Some(tiled) = tiles::tiled(&module, &callees, &done)
+            && verified(&module, &tiled, &shown).0.is_empty()
+        {
+            done = tiled;
+        }
         callees.push(callee(&done, &callees));
         results.push(returned);
         functions.push(done);

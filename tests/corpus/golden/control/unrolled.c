@@ -18,11 +18,9 @@
 float unrolled_weighted(const float values[16], const float weights[16])
 {
     float sum = 0.0F;
-    {
-        BESSEMER_UNROLL(4)
-        for (uint32_t i = 0U; i < 16U; i++) {
-            sum += values[i] * weights[i];
-        }
+    BESSEMER_UNROLL(4)
+    for (uint32_t i = 0U; i < 16U; i++) {
+        sum += values[i] * weights[i];
     }
     return sum;
 }
@@ -30,12 +28,10 @@ float unrolled_weighted(const float values[16], const float weights[16])
 float unrolled_short(const float values[4], const float weights[4])
 {
     float sum = 0.0F;
-    {
-        BESSEMER_UNROLL(1)
-        for (uint32_t i = 0U; i < 4U; i++) {
-            const float weight = weights[i];
-            sum += values[i] * weight;
-        }
+    BESSEMER_UNROLL(1)
+    for (uint32_t i = 0U; i < 4U; i++) {
+        const float weight = weights[i];
+        sum += values[i] * weight;
     }
     return sum;
 }

@@ -135,7 +135,40 @@ pub(super) fn filled(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) 
         Type::Matrix { rows, cols, .. } => (rows * cols, vec![Some(outer)]),
         _ => return false,
     };
+    let one_index = matches!(element.as_slice(), [Some(_)]);
     to == count && assigns(local, &element, body)
+        || one_index && in_tiles(module, local, count, (outer, to), body)
+}
+
+/// Returns true if a loop in each pass of another assigns the next elements, `array[tile * 8 + n]`. No other statement
+/// of the body mentions the array.
+fn in_tiles(
+    module: &Module,
+    local: LocalId,
+    count: u32,
+    (tile, tiles): (LocalId, u32),
+    body: &Block,
+) -> bool {
+    let mut used = body.0.iter().filter(|stmt| mentions(*stmt, local));
+    let (Some(inner), None) = (used.next(), used.next()) else { return false };
+    let Some((n, width, body)) = through(module, inner) else { return false };
+    let [Stmt { kind: StmtKind::Assign { place, value }, .. }] = body.0.as_slice() else {
+        return false;
+    };
+    let loads = |expr: &Expr, counter: LocalId| matches!(&expr.kind, ExprKind::Load(place) if place.root == counter && place.steps.is_empty());
+    let next = |index: &Expr| match &index.kind {
+        ExprKind::Binary(BinaryOp::Add, start, at) => {
+            let starts = matches!(&start.kind, ExprKind::Binary(BinaryOp::Mul, of, by)
+                if loads(of, tile) && by.kind == ExprKind::Literal(width.into()));
+            starts && loads(at, n)
+        }
+        _ => false,
+    };
+    let is_next = matches!(place.steps.as_slice(), [Step::Index(index)] if next(index));
+    is_next
+        && place.root == local
+        && !mentions(value, local)
+        && tiles.checked_mul(width) == Some(count)
 }
 
 /// Returns true if the statements after a struct's declaration write each of its fields before it is otherwise used. A

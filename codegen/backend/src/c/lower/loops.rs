@@ -93,7 +93,7 @@ impl Lower<'_> {
         );
         self.leave(names);
         let mut stmts = std::mem::replace(&mut self.out, outside);
-        if stmts.len() == 1 {
+        if !stmts.iter().any(|stmt| matches!(stmt.kind, StmtKind::Declare(..))) {
             self.out.append(&mut stmts);
         } else {
             self.emit(StmtKind::Block(stmts));
