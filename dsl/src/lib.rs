@@ -111,6 +111,7 @@ pub mod slice_edit;
 pub mod sort;
 mod spatial;
 mod text;
+pub mod wide;
 pub mod wrapping;
 
 /// A model imports all of this with one line: `use bessemer::prelude::*;`.
@@ -159,6 +160,33 @@ macro_rules! __room {
 macro_rules! __between {
     ($condition:expr) => {
         ::core::assert!($condition, "min > max: the bounds are the wrong way round")
+    };
+}
+
+/// Checks that the result of the library's arithmetic fits into its type.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __fits {
+    ($condition:expr) => {
+        ::core::assert!($condition, "attempt to compute with overflow")
+    };
+}
+
+/// Checks the divisor of the library's arithmetic.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __divides {
+    ($condition:expr) => {
+        ::core::assert!($condition, "attempt to divide by zero")
+    };
+}
+
+/// Checks the number of bits by which the library's arithmetic shifts.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __shifts {
+    ($condition:expr) => {
+        ::core::assert!($condition, "attempt to shift with overflow")
     };
 }
 

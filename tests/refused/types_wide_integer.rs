@@ -3,10 +3,10 @@ extern crate std;
 
 use bessemer::prelude::*;
 
-/// 128 bits.
+/// 128 bits with a sign.
 #[function]
-pub fn wide_integer(x: u128) -> u128 {
-    x + 1_u128
+pub fn wide_integer(x: i128) -> i128 {
+    x + 1
 }
 
 fn main() {}

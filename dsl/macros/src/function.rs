@@ -74,7 +74,7 @@ fn marked(
         refusals.add(receiver.self_token.span, refuse::METHOD_ALONE);
         return with_errors(refusals, item);
     }
-    if bessemer_tree::number::Scalar::from_name(&function.sig.ident.to_string()).is_some() {
+    if bessemer_tree::number::is_number(&function.sig.ident.to_string()) {
         refusals.add(&function.sig.ident, refuse::RUST_TYPE);
         return with_errors(refusals, item);
     }

@@ -80,7 +80,7 @@ impl VisitMut for OfNumbers {
             (None, 2) => lower::text(&path.segments[0].ident),
             _ => return,
         };
-        let is_number = bessemer_tree::number::Scalar::from_name(home.trim()).is_some();
+        let is_number = bessemer_tree::number::is_number(home.trim());
         let mut arguments = it.args.iter();
         if is_number
             && self.0.contains(&lower::text(name))

@@ -237,6 +237,6 @@ pub fn associated(qself: Option<&syn::QSelf>, path: &syn::Path) -> bool {
         || before.is_some_and(|before| {
             before.starts_with(|first: char| first.is_uppercase())
                 || before == "char"
-                || bessemer_tree::number::Scalar::from_name(&before).is_some()
+                || bessemer_tree::number::is_number(&before)
         })
 }

@@ -15,7 +15,7 @@ use super::builder::{
     Builder, Named, Said, Underway, Witness, owned, path, said, type_text, words,
 };
 use super::slot::{DslType, Evaluated, ScalarType};
-use super::{handed, operators};
+use super::{handed, operators, wide};
 use crate::Plain;
 
 /// Place of an item: its module, and the folder of its package.
@@ -217,8 +217,8 @@ impl Builder {
             self.recursion(&path, named.file, text);
         } else if self.known.insert(path.clone()) {
             self.stack.push(underway.clone());
-            let mut told = Witness::default();
-            witness(self, &mut told);
+            let mut learned = Witness::default();
+            witness(self, &mut learned);
             self.stack.pop();
             let mut tree = match tree::read::<tree::FunctionTree>(text) {
                 Ok(tree) => tree,
@@ -229,10 +229,12 @@ impl Builder {
                     return tree::Callee::Function(path);
                 }
             };
-            handed::as_closures(&mut tree, &mut told);
+            handed::as_closures(&mut tree, &mut learned);
             let Underway { depth, owner, interface, name, suffix, .. } = underway;
             tree.name = name;
-            let operators = operators::called(self, &tree.operators, told.operators, &told.slots);
+            let authors = core::mem::take(&mut learned.operators);
+            let mut operators = operators::called(self, &tree.operators, authors, &learned.slots);
+            wide::of_words(self, &mut tree, &mut learned, &mut operators);
             self.package.functions.push(tree::Function {
                 path: path.clone(),
                 module: named.module.to_owned(),
@@ -243,9 +245,9 @@ impl Builder {
                 suffix,
                 inner: depth > 0,
                 tree,
-                slots: told.slots,
-                callees: told.callees,
-                constants: told.constants,
+                slots: learned.slots,
+                callees: learned.callees,
+                constants: learned.constants,
                 operators,
             });
         }

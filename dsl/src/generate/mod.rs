@@ -21,6 +21,7 @@ mod own;
 pub mod slice;
 mod slot;
 pub mod spatial;
+mod wide;
 mod wrapping;
 
 pub use alloc::string::String;

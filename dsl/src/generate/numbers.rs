@@ -19,6 +19,9 @@ markers! {
     TryFrom: TryFrom;
     Real: Real;
     Same: Owned;
+    Min: Scalar(Intrinsic::Min);
+    Max: Scalar(Intrinsic::Max);
+    Clamp: Scalar(Intrinsic::Clamp);
 }
 
 companions! {
@@ -118,9 +121,9 @@ companions! {
     /// Methods of numbers that are ordered.
     pub trait OrderBuiltins: Sized {
         fn __b_abs(self) -> Self = Abs: Scalar(Intrinsic::Abs);
-        fn __b_min(self, _other: Self) -> Self = Min: Scalar(Intrinsic::Min);
-        fn __b_max(self, _other: Self) -> Self = Max: Scalar(Intrinsic::Max);
-        fn __b_clamp(self, _low: Self, _high: Self) -> Self = Clamp: Scalar(Intrinsic::Clamp);
+        fn __b_min(self, _other: Self) -> Self = <Min>;
+        fn __b_max(self, _other: Self) -> Self = <Max>;
+        fn __b_clamp(self, _low: Self, _high: Self) -> Self = <Clamp>;
     }
     /// Conversions of numbers to and from bytes.
     pub trait BytesBuiltins: Sized {
@@ -272,8 +275,19 @@ implement! {
     WholeCompanions: i8 i16 i32 i64 isize u8 u16 u32 u64 usize;
     SignBuiltins: i8 i16 i32 i64 isize f32 f64;
     DivisionBuiltins: i8 i16 i32 i64 isize u8 u16 u32 u64 usize f32 f64;
-    OrderBuiltins: i8 i16 i32 i64 isize u8 u16 u32 u64 usize f32 f64;
 }
+
+macro_rules! ordered {
+    ($($ty:ident)*) => {$(
+        impl OrderBuiltins for $ty {
+            type Min = Min;
+            type Max = Max;
+            type Clamp = Clamp;
+        }
+    )*};
+}
+
+ordered! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize f32 f64 }
 
 macro_rules! bytes {
     ($($count:literal: $($ty:ident)*;)*) => {$($(

@@ -16,10 +16,11 @@ use nalgebra::SMatrix;
 
 use super::builder::{self, Builder, OwnOperator};
 use super::slot::{Of, ScalarType, Seen, Slot, Tells};
-use super::spatial;
+use super::{spatial, wide};
 
 /// Traits whose functions have no call in the source and no operator.
-const IMPLIED: [&str; 6] = ["PartialEq", "PartialOrd", "From", "Index", "IndexMut", tree::ITERATOR];
+const IMPLIED: [&str; 7] =
+    ["PartialEq", "PartialOrd", "From", "Index", "IndexMut", tree::ITERATOR, tree::AS];
 
 /// Marks operators whose operands have one type if both are numbers; a shift is by any number.
 pub trait OfOneType {}
@@ -83,6 +84,11 @@ pub trait Operates<O, B> {
 pub struct NotOwn;
 
 impl<O: OfOneType, T: ScalarType> Operates<O, T> for T {
+    type Marker = NotOwn;
+}
+
+// The types in the slots of the operator select the library's function.
+impl<O: OfOneType> Operates<O, u128> for u128 {
     type Marker = NotOwn;
 }
 
@@ -218,8 +224,11 @@ pub(super) fn called(
     authors: Vec<Option<tree::Callee>>,
     slots: &[Ty],
 ) -> Vec<(u32, tree::Callee)> {
-    let spatial = |it: &tree::Operator| Some((it.at, spatial::operator(cx, it, slots)?));
-    let mut found: Vec<_> = operators.iter().filter_map(spatial).collect();
+    let ours = |it: &tree::Operator| {
+        let spatial = spatial::operator(cx, it, slots);
+        Some((it.at, spatial.or_else(|| wide::operator(cx, it, slots))?))
+    };
+    let mut found: Vec<_> = operators.iter().filter_map(ours).collect();
     for (operator, authors) in operators.iter().zip(authors) {
         if found.iter().any(|(at, _)| *at == operator.at) {
             continue;

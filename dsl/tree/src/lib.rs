@@ -454,6 +454,9 @@ pub const EACH: &str = "__each";
 /// Name of a type's method that returns an iterator over it, `set.iter()`; the macro cannot resolve it.
 pub const ITER: &str = "iter";
 
+/// Name of a conversion by `as` that is a function of the library.
+pub const AS: &str = "As";
+
 /// Trait of author-defined iterators.
 pub const ITERATOR: &str = "Iterator";
 

@@ -160,3 +160,13 @@ impl Scalar {
         }
     }
 }
+
+/// Returns true for the name of an integer of 128 bits, which is a struct of the library.
+pub fn is_wide(name: &str) -> bool {
+    matches!(name, "u128" | "i128")
+}
+
+/// Returns true for the name of a number or of `bool`.
+pub fn is_number(name: &str) -> bool {
+    Scalar::from_name(name).is_some() || is_wide(name)
+}

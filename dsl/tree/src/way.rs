@@ -109,4 +109,10 @@ pub enum Claim {
     Capacity,
     /// The bounds of `clamp` are in the wrong order.
     Clamp,
+    /// A result does not fit into its type.
+    Overflow,
+    /// A divisor is zero.
+    DivisionByZero,
+    /// A number is shifted by its width or more.
+    Shift,
 }

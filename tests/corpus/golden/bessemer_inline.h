@@ -75,6 +75,7 @@
 #include "text.h"
 #include "text_lines.h"
 #include "triple_vector3_f64_matrix1x2_f32_matrix2x2_f64.h"
+#include "u128.h"
 #include "unit_quaternion.h"
 #include "unit_quaternions.h"
 
@@ -2010,6 +2011,145 @@ static inline void logarithm_parts(uint64_t bits, logarithm_parts_t *parts)
     parts->exponent = exponent;
     parts->row = u64_from_u32((above >> 13) & 0x7FU);
     parts->significand = f64_from_bits(bits - ((uint64_t)(uint32_t)exponent << 52));
+}
+
+/** The product of two words, from the products of their halves. */
+static inline void u128_product_of_words(uint64_t one, uint64_t other, u128_t *u128)
+{
+    const uint64_t one_upper = one >> 32;
+    const uint64_t one_lower = one & U128_LOWER;
+    const uint64_t other_upper = other >> 32;
+    const uint64_t other_lower = other & U128_LOWER;
+    const uint64_t least = one_lower * other_lower;
+    const uint64_t first = one_upper * other_lower + (least >> 32);
+    const uint64_t second = one_lower * other_upper + (first & U128_LOWER);
+    u128->high = one_upper * other_upper + (first >> 32) + (second >> 32);
+    u128->low = (second << 32) | (least & U128_LOWER);
+}
+
+/** Moves the bits down, by `bits` modulo 128. */
+static inline void u128_wrapping_shr(const u128_t *number, uint32_t bits, u128_t *u128)
+{
+    const uint32_t within = bits & 0x3FU;
+    const uint64_t high = number->high >> within;
+    const uint64_t low = (number->low >> within) | (number->high << 1 << (63U - within));
+    if ((bits & 0x40U) == 0U) {
+        u128->high = high;
+        u128->low = low;
+    } else {
+        u128->high = UINT64_C(0);
+        u128->low = high;
+    }
+}
+
+/**
+ * One digit of 32 bits of the quotient of `upper`·2³² + `next` and a divisor that is greater than `upper`.
+ *
+ * The divisor is at least 2⁶³.
+ */
+static inline uint64_t u128_quotient_digit(uint64_t upper, uint64_t next, uint64_t divisor)
+{
+    /* The divisor's upper half is at least 2³¹, and so no divisor of 0. */
+    const uint64_t leading = max_u64(divisor >> 32, UINT64_C(0x80000000));
+    const uint64_t lower = divisor & U128_LOWER;
+
+    /* The estimate by the upper half of the divisor is too large by at most 2. */
+    uint64_t digit = min_u64(upper / leading, U128_LOWER);
+    uint64_t rest = upper - digit * leading;
+    for (int32_t pass = 0; pass < 2; pass++) {
+        if (rest <= U128_LOWER && digit * lower > ((rest << 32) | next)) {
+            digit -= UINT64_C(1);
+            rest += leading;
+        }
+    }
+    return digit;
+}
+
+/** Moves the bits up, by `bits` modulo 128. */
+static inline void u128_wrapping_shl(const u128_t *number, uint32_t bits, u128_t *u128)
+{
+    const uint32_t within = bits & 0x3FU;
+    const uint64_t high = (number->high << within) | (number->low >> 1 >> (63U - within));
+    const uint64_t low = number->low << within;
+    if ((bits & 0x40U) == 0U) {
+        u128->high = high;
+        u128->low = low;
+    } else {
+        u128->high = low;
+        u128->low = UINT64_C(0);
+    }
+}
+
+/** The difference, wrapped to 128 bits. */
+static inline void u128_wrapping_sub(const u128_t *one, const u128_t *other, u128_t *u128)
+{
+    const uint64_t borrow = (uint64_t)(one->low < other->low);
+    u128->high = one->high - other->high - borrow;
+    u128->low = one->low - other->low;
+}
+
+/** The product, wrapped to 128 bits. */
+static inline void u128_wrapping_mul(const u128_t *one, const u128_t *other, u128_t *u128)
+{
+    u128_t product;
+    u128_product_of_words(one->low, other->low, &product);
+    const uint64_t crossed = one->high * other->low + one->low * other->high;
+    u128->high = product.high + crossed;
+    u128->low = product.low;
+}
+
+/** The sum of two words. */
+static inline void u128_sum_of_words(uint64_t one, uint64_t other, u128_t *u128)
+{
+    const uint64_t low = one + other;
+    u128->high = (uint64_t)(low < one);
+    u128->low = low;
+}
+
+/** Returns true if the product of two numbers needs more than 128 bits. */
+static inline bool u128_product_overflows(const u128_t *one, const u128_t *other)
+{
+    if (one->high != UINT64_C(0) && other->high != UINT64_C(0)) {
+        return true;
+    }
+
+    /* At most one of these is not zero. */
+    u128_t first;
+    u128_product_of_words(one->high, other->low, &first);
+    u128_t second;
+    u128_product_of_words(one->low, other->high, &second);
+    const uint64_t crossed = first.low | second.low;
+    u128_t u128;
+    u128_product_of_words(one->low, other->low, &u128);
+    const uint64_t upper = u128.high;
+    return (first.high | second.high) != UINT64_C(0) || crossed + upper < crossed;
+}
+
+/** The sum, wrapped to 128 bits. */
+static inline void u128_wrapping_add(const u128_t *one, const u128_t *other, u128_t *u128)
+{
+    const uint64_t low = one->low + other->low;
+    const uint64_t carry = (uint64_t)(low < one->low);
+    u128->high = one->high + other->high + carry;
+    u128->low = low;
+}
+
+/** Returns true if the sum of two numbers needs more than 128 bits. */
+static inline bool u128_sum_overflows(const u128_t *one, const u128_t *other)
+{
+    u128_t u128;
+    u128_wrapping_add(one, other, &u128);
+    return u128.high < one->high || (u128.high == one->high && u128.low < one->low);
+}
+
+/** The lesser of two; of equal ones the first. */
+static inline void comparison_lesser_u128(const u128_t *one, const u128_t *other, u128_t *u128)
+{
+    if (other->high < one->high || (other->high == one->high && other->low < one->low)) {
+        *u128 = *other;
+    } else {
+        *u128 = *one;
+    }
 }
 
 #endif

@@ -5,6 +5,7 @@ use bessemer_ir::{Block, Expr, ExprKind, Fault, Mode, Place, Span, StmtKind, Typ
 
 use super::conditions::{decided, has_let};
 use super::each::Each;
+use super::expand::is_ours;
 use super::expr::Call;
 use super::lowering::{Leaving, Lowering, RESULT, Target};
 use super::syntax::{control_with_value, either, ends_in_loop, names_by_case};
@@ -308,10 +309,11 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Returns the truth of a condition that a const generic of the instance decides, such as `if N == 0`. The C then
-    /// has only one branch.
+    /// Returns the truth of a condition that a const generic of the instance decides, such as `if N == 0`. A literal
+    /// argument of an expanded function of the DSL also decides. The C then has only one branch.
     fn decided(&self, condition: &Expr) -> Option<bool> {
-        if self.source.generics.is_empty() {
+        let of_caller = self.source.tree.role == tree::Role::Expanded && is_ours(self.source);
+        if self.source.generics.is_empty() && !of_caller {
             return None;
         }
         decided(condition)
@@ -347,6 +349,9 @@ impl Lowering<'_, '_> {
             tree::Claim::Index => Fault::Index,
             tree::Claim::Capacity => Fault::Capacity,
             tree::Claim::Clamp => Fault::Clamp,
+            tree::Claim::Overflow => Fault::Overflow,
+            tree::Claim::DivisionByZero => Fault::DivisionByZero,
+            tree::Claim::Shift => Fault::Shift,
         };
         if !self.expanding.is_empty() && self.decided(&condition) == Some(true) {
             return Ok(());

@@ -8,7 +8,7 @@ use bessemer_ir::{
 
 use super::expand::is_ours;
 use super::function::takes_closures;
-use super::implied::own_comparison;
+use super::implied::{conversion, own_comparison};
 use super::kernels::{kernel_of, matrix_of_factors};
 use super::lengths::plus;
 use super::lowering::Lowering;
@@ -71,7 +71,8 @@ impl Lowering<'_, '_> {
         match &expr.kind {
             tree::ExprKind::Bool(value) => Ok(Expr::bool(*value, self.span(site))),
             tree::ExprKind::Int(digits, suffix) => {
-                self.integer(digits, false, *suffix, expected, site)
+                let seen = expr.slot.map(|slot| self.seen(slot, site)).transpose()?;
+                self.integer(digits, false, *suffix, seen.as_ref().or(expected), site)
             }
             tree::ExprKind::Float(digits, suffix) => {
                 let scalar = literal::type_of(*suffix, expected, Scalar::Float(Float::F64));
@@ -93,6 +94,11 @@ impl Lowering<'_, '_> {
             },
             tree::ExprKind::Field(base, name) if name == "coords" && self.in_coords(expr)? => {
                 self.coords(base, site)
+            }
+            tree::ExprKind::Field(base, name)
+                if let Some(part) = literal::literal_part(self, base, name) =>
+            {
+                Ok(part)
             }
             tree::ExprKind::Binary(op, left, right) => self.binary(*op, left, right, expr),
             tree::ExprKind::Call(callee, arguments) => self.call(*callee, arguments, expr),
@@ -167,6 +173,11 @@ impl Lowering<'_, '_> {
         expected: Option<&Type>,
         site: Site,
     ) -> Result<Expr> {
+        if let (None, Some(ty)) = (suffix, expected)
+            && literal::is_wide(self.cx, ty)
+        {
+            return literal::wide_integer(self, digits, negative, ty, site);
+        }
         let scalar = literal::type_of(suffix, expected, Scalar::Int(Int::I32));
         let word = literal::integer(digits, negative, scalar, site)?;
         if digits.starts_with("0x") {
@@ -184,7 +195,8 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<Expr> {
         if let (tree::UnaryOp::Neg, tree::ExprKind::Int(digits, suffix)) = (op, &operand.kind) {
-            return self.integer(digits, true, *suffix, expected, site);
+            let seen = operand.slot.map(|slot| self.seen(slot, site)).transpose()?;
+            return self.integer(digits, true, *suffix, seen.as_ref().or(expected), site);
         }
         let operand = self.value(operand, expected)?;
         let (ty, span) = (operand.ty.clone(), self.span(site));
@@ -369,10 +381,18 @@ impl Lowering<'_, '_> {
         // rustc gives a literal the type that it is cast to, if that is of its kind.
         let of_kind = match ty.as_float() {
             Some(_) => literal::is_unsuffixed_float(operand),
-            None => ty.as_int().is_some(),
+            None => {
+                ty.as_int().is_some() || literal::is_wide(self.cx, &ty) && operand.is_unsuffixed()
+            }
         };
         let expected = of_kind.then(|| ty.clone());
+        if let Some(callee) = conversion(self, operand, &ty)? {
+            return self.call_of(&callee, std::slice::from_ref(operand), expr);
+        }
         let operand = self.value(operand, expected.as_ref())?;
+        if operand.ty == ty && literal::is_wide(self.cx, &ty) {
+            return Ok(operand);
+        }
         if !operand.ty.is_word() || !matches!(ty, Type::Scalar(_)) {
             return refused(expr.site, refusals::CAST);
         }
@@ -468,6 +488,10 @@ impl Lowering<'_, '_> {
             tree::Callee::Builtin(builtin) => self.builtin(*builtin, Call { arguments, expr }),
             tree::Callee::Function(path) => {
                 let function = self.cx.calls.all.get(path.as_str()).copied();
+                // An operator of the library may be expanded, too.
+                if let Some(expanded) = function.filter(|it| it.tree.role == Role::Expanded) {
+                    return self.expanded_value((expanded, arguments), None, expr.site);
+                }
                 if let Some(template) = function.filter(|it| takes_closures(it)) {
                     return self.call_handing(template, arguments, expr);
                 }

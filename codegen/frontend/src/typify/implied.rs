@@ -87,7 +87,7 @@ impl<'a> Context<'a> {
     pub(super) fn note_implied(&mut self, implied: &'a [tree::Implied]) {
         for it in implied {
             match (it.of.as_str(), &it.owner) {
-                ("From" | "PartialOrd", _) => self.implied.between.push(it),
+                ("From" | "PartialOrd" | tree::AS, _) => self.implied.between.push(it),
                 ("PartialEq", _) if it.owner != it.other => self.implied.between.push(it),
                 ("PartialEq", tree::Ty::Named(path)) => {
                     // Of what holds nothing no comparison is taken.
@@ -166,6 +166,21 @@ impl<'a> Context<'a> {
         });
         Ok(beside.unwrap_or(ty).clone())
     }
+}
+
+/// Returns the function that converts an operand to a type by `as`, if a type of the library is involved.
+pub(super) fn conversion(
+    lowering: &mut Lowering<'_, '_>,
+    operand: &tree::Expr,
+    ty: &Type,
+) -> Result<Option<tree::Callee>> {
+    if lowering.cx.implied.between.iter().all(|it| it.of != tree::AS) {
+        return Ok(None);
+    }
+    let from = lowering.type_of_value(operand)?;
+    let all = lowering.cx.between(tree::AS, operand.site)?;
+    let found = all.into_iter().find(|(to, other, _)| to == ty && *other == from);
+    Ok(found.map(|(.., path)| tree::Callee::Function(path.to_owned())))
 }
 
 /// Lowers a comparison of two types by the author's implementation; none if there is none.

@@ -6,7 +6,7 @@ use bessemer_ir::{Expr, ExprKind, Float, Scalar, Type};
 
 use super::lowering::Lowering;
 use super::value::Value;
-use super::{Needed, OUR_FAULT, Result, names, problem, refusals, refused};
+use super::{Context, Needed, OUR_FAULT, Result, names, problem, refusals, refused, struct_of};
 
 /// Returns the word of an integer literal of type `scalar`.
 pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) -> Result<u64> {
@@ -83,6 +83,51 @@ pub(super) fn type_of(suffix: Option<Scalar>, expected: Option<&Type>, default: 
         (None, Some(Type::Scalar(scalar @ Scalar::Int(_))), Scalar::Int(_)) => *scalar,
         _ => default,
     }
+}
+
+/// Paths of the integers of 128 bits.
+const WIDE: [&str; 2] = ["bessemer::wide::u128::U128", "bessemer::wide::i128::I128"];
+
+/// Returns true for an integer of 128 bits.
+pub(super) fn is_wide(cx: &Context<'_>, ty: &Type) -> bool {
+    matches!(ty, Type::Struct(_)) && WIDE.iter().any(|path| cx.types.by_path.get(*path) == Some(ty))
+}
+
+/// Lowers an integer literal of 128 bits: its upper and its lower word.
+pub(super) fn wide_integer(
+    lowering: &mut Lowering<'_, '_>,
+    digits: &str,
+    negative: bool,
+    ty: &Type,
+    site: Site,
+) -> Result<Expr> {
+    let value = match digits.strip_prefix("0x") {
+        Some(digits) => u128::from_str_radix(digits, 16),
+        None => digits.parse::<u128>(),
+    };
+    let value = value.ok().needed(site, "this literal is out of range")?;
+    let value = if negative { value.wrapping_neg() } else { value };
+    let id = struct_of(ty, site, "an integer of 128 bits")?;
+    let (span, fields) = (lowering.span(site), lowering.cx.fields(id).to_vec());
+    let words = [(value >> 64) as u64, value as u64];
+    if digits.starts_with("0x") {
+        lowering.cx.module.hexadecimal.extend(words.map(|word| (span, word)));
+    }
+    let parts = fields.iter().zip(words);
+    let parts = parts.map(|(field, word)| Expr::literal(word, field.ty.clone(), span));
+    lowering.node(ExprKind::Struct(parts.collect()), ty.clone(), site)
+}
+
+/// Returns the literal that `base.name` is, if `base` is the name of a struct of literals.
+pub(super) fn literal_part(
+    lowering: &Lowering<'_, '_>,
+    base: &tree::Expr,
+    name: &str,
+) -> Option<Expr> {
+    let Some(Value::Word(word)) = lowering.meaning(base) else { return None };
+    let (ExprKind::Struct(parts), Type::Struct(id)) = (word.kind, word.ty) else { return None };
+    let part = parts.into_iter().nth(lowering.cx.field_at(id, name).flatten()?)?;
+    part.is_literal().then_some(part)
 }
 
 impl<'a> Lowering<'a, '_> {

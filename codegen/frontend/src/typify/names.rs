@@ -1,6 +1,7 @@
 //! Names for values that the author left unnamed, and for constants that a path denotes.
 
-use bessemer_ir::{Scalar, Type, tree};
+use bessemer_ir::tree::number;
+use bessemer_ir::{Type, tree};
 
 use super::Context;
 
@@ -62,7 +63,7 @@ pub(super) fn constant(module: &str, owner: Option<&str>, path: &str) -> (String
     let Some(qualifier) = segments.last() else { return (module.to_owned(), name) };
     let ty = match *qualifier {
         "Self" => owner,
-        word if Scalar::from_name(word).is_some() => Some(word),
+        word if number::is_number(word) => Some(word),
         word => word.starts_with(char::is_uppercase).then_some(word),
     };
     match ty {

@@ -143,7 +143,7 @@ fn out_of_reach(function: &syn::ExprPath) -> Option<refuse::Reason> {
         return Some(refuse::VARIANT_VALUE);
     }
     // A companion of the type answers.
-    let answered = bessemer_tree::number::Scalar::from_name(owner).is_some()
+    let answered = bessemer_tree::number::is_number(owner)
         || is_constructor_name(owner) && outside.is_some_and(refuse::Reason::is_of_core);
     of_type.or(outside.filter(|_| !answered))
 }

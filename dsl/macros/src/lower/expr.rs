@@ -1,7 +1,7 @@
 //! Expressions: values (which a slot sees), places, and unsupported ones.
 
 use bessemer_tree as tree;
-use bessemer_tree::number::{Int, Scalar};
+use bessemer_tree::number::{Int, Scalar, is_wide};
 use bessemer_tree::{ExprKind, UnaryOp};
 use quote::ToTokens;
 
@@ -60,7 +60,7 @@ impl Lowering {
             return (self.handing(expr), false);
         }
         match expr {
-            syn::Expr::Lit(it) => (self.literal(&it.lit), false),
+            syn::Expr::Lit(it) => (self.literal(&it.lit), is_wide_literal(&it.lit)),
             syn::Expr::Path(it) if it.path.is_ident("None") && it.qself.is_none() => {
                 (ExprKind::Constructor("None".into(), Vec::new()), true)
             }
@@ -108,7 +108,12 @@ impl Lowering {
             }
             syn::Expr::Cast(it) => {
                 signature::check_type(&it.ty, &mut self.refusals);
-                (ExprKind::Cast(Box::new(self.value(&mut it.expr))), true)
+                let mut value = self.value(&mut it.expr);
+                // The product of two words needs their types.
+                if is_wide_type(&it.ty) && value.slot.is_none() && !value.is_unsuffixed() {
+                    value.slot = Some(self.glance(&mut it.expr));
+                }
+                (ExprKind::Cast(Box::new(value)), true)
             }
             _ => self.control(expr, value),
         }
@@ -210,8 +215,9 @@ impl Lowering {
         match literal {
             syn::Lit::Bool(it) => ExprKind::Bool(it.value),
             syn::Lit::Int(it) => match Scalar::from_name(it.suffix()) {
-                None if refuse::is_wide(it.suffix()) => self.refused(it, refuse::WIDE_INTEGER),
-                None if !it.suffix().is_empty() => self.refused(it, refuse::SUFFIX),
+                None if !it.suffix().is_empty() && !is_wide(it.suffix()) => {
+                    self.refused(it, refuse::SUFFIX)
+                }
                 float @ Some(Scalar::Float(_)) => ExprKind::Float(it.base10_digits().into(), float),
                 suffix => ExprKind::Int(digits(it), suffix),
             },
@@ -308,6 +314,16 @@ pub(super) fn is_unit_control(expr: &syn::Expr) -> bool {
         syn::Expr::Binary(it) => matches!(operator::written(&it.op), Some((_, true))),
         _ => false,
     }
+}
+
+/// Returns true for a number with the suffix of an integer of 128 bits; a slot has its type.
+fn is_wide_literal(literal: &syn::Lit) -> bool {
+    matches!(literal, syn::Lit::Int(it) if is_wide(it.suffix()))
+}
+
+/// Returns true for the name of an integer of 128 bits.
+fn is_wide_type(ty: &syn::Type) -> bool {
+    matches!(ty, syn::Type::Path(it) if it.path.get_ident().is_some_and(|it| is_wide(&text(it))))
 }
 
 /// Returns the digits of an integer, in hexadecimal if its author writes it in hexadecimal or binary.

@@ -1,6 +1,7 @@
 //! Patterns: simple names of parameters and `for`, and destructuring by `let`, `match` and assignments.
 
 use bessemer_tree as tree;
+use bessemer_tree::number;
 use proc_macro2::Span;
 use quote::{ToTokens, quote_spanned};
 use syn::Expr::{Array, Call, Infer, Paren, Range, Struct, Tuple};
@@ -143,6 +144,7 @@ impl Lowering {
             }
             syn::Pat::Lit(it) => {
                 let mut literal = syn::Expr::Lit(it.clone());
+                without_wide_suffix(&mut literal);
                 tree::Pattern::Value(self.value(&mut literal))
             }
             syn::Pat::Path(it) if is_of_option(&it.path) => {
@@ -155,7 +157,10 @@ impl Lowering {
                 let inclusive = matches!(it.limits, syn::RangeLimits::Closed(_));
                 // The ends of a pattern stay as they are in the copy: they are no expressions.
                 let mut end = |end: &Option<Box<syn::Expr>>| {
-                    end.as_deref().cloned().map(|mut end| self.value(&mut end))
+                    end.as_deref().cloned().map(|mut end| {
+                        without_wide_suffix(&mut end);
+                        self.value(&mut end)
+                    })
                 };
                 let (from, to) = (end(&it.start), end(&it.end));
                 tree::Pattern::Range { from, to, inclusive }
@@ -369,6 +374,19 @@ fn is_literal(value: &syn::Expr) -> bool {
         syn::Expr::Lit(_) => true,
         syn::Expr::Unary(it) => matches!(it.op, syn::UnOp::Neg(_)) && is_literal(&it.expr),
         _ => false,
+    }
+}
+
+/// Removes the suffix of a number of 128 bits, whose type is that of the matched value: a slot cannot see a pattern.
+fn without_wide_suffix(literal: &mut syn::Expr) {
+    match literal {
+        syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(it), .. })
+            if number::is_wide(it.suffix()) =>
+        {
+            *it = syn::LitInt::new(it.base10_digits(), it.span());
+        }
+        syn::Expr::Unary(it) => without_wide_suffix(&mut it.expr),
+        _ => {}
     }
 }
 
