@@ -205,19 +205,19 @@ double arctangent_far_atan2(double y, double x)
             angle.high = 0.0;
             angle.low = 0.0;
         }
-    } else if (height > width * 1.152921504606847e18) {
+    } else if (height > width * 0x1p60) {
         angle.high = ANGLES_HALF_PI_HIGH;
         angle.low = ANGLES_HALF_PI_LOW;
-    } else if (width * 8.673617379884035e-19 > height) {
+    } else if (width * 0x1p-60 > height) {
         angle.high = height / width;
         angle.low = 0.0;
     } else {
         /* By 2^±600, so that no product leaves the range. */
         double scale;
         if (width > 1.0) {
-            scale = 2.409919865102884e-181;
+            scale = 0x1p-600;
         } else {
-            scale = 4.149515568880993e180;
+            scale = 0x1p600;
         }
         arctangent_angle_of_ratio(height * scale, width * scale, height / width, &angle);
     }

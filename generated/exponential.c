@@ -32,10 +32,10 @@
 static const double BEYOND = 750.0;
 
 /** 2¹⁰²³, the largest power of two. */
-static const double LARGEST_POWER = 8.98846567431158e307;
+static const double LARGEST_POWER = 0x1p1023;
 
 /** 2⁻²⁰⁰, the factor that undoes `RAISED`. */
-static const double LOWER = 6.223015277861142e-61;
+static const double LOWER = 0x1p-200;
 
 /**
  * For exponents below this a power is less than half of the smallest number, 2⁻¹⁰⁷⁴, and so rounds to 0.

@@ -21,7 +21,7 @@
 double extremes_power_of_negative(double value, double y)
 {
     /* From 2⁵³ on, every number is even. */
-    if (fabs(y) >= 9007199254740992.0) {
+    if (fabs(y) >= 0x1p53) {
         return value;
     } else if (floor(y) < y) {
         return (double)NAN;
@@ -55,7 +55,7 @@ double extremes_special_power(double x, double y)
 
     /* Of zero and infinity, an uneven power keeps the sign; others are positive, whole or not. */
     const double half = 0.5 * y;
-    const bool odd = fabs(y) < 9007199254740992.0 && floor(y) >= y && floor(half) < half;
+    const bool odd = fabs(y) < 0x1p53 && floor(y) >= y && floor(half) < half;
     if (odd && copysign_f64(1.0, x) < 0.0) {
         return -value;
     } else {

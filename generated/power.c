@@ -33,7 +33,7 @@ double power_powf(double x, double y)
         const bool small = raw < UINT64_C(0x10000000000000);
         uint64_t bits;
         if (small) {
-            bits = raw_bits_of_f64(size * 1.8014398509481984e16);
+            bits = raw_bits_of_f64(size * 0x1p54);
         } else {
             bits = raw;
         }

@@ -139,12 +139,12 @@ void reduction_reduce_huge(double x, reduced_angle_t *reduced_angle)
     const uint64_t tail = ((centre << 2) | (last >> 62)) ^ flip;
     const uint64_t end = (last << 2) ^ flip;
     pair_t lead;
-    pair_sum((double)(uint32_t)(head >> 32) * 2.3283064365386963e-10,
-        (double)(uint32_t)(head & UINT64_C(0xFFFFFFFF)) * 5.421010862427522e-20, &lead);
+    pair_sum((double)(uint32_t)(head >> 32) * 0x1p-32,
+        (double)(uint32_t)(head & UINT64_C(0xFFFFFFFF)) * 0x1p-64, &lead);
     pair_t rest;
-    pair_sum(lead.low, (double)(uint32_t)(tail >> 32) * 1.262177448353619e-29, &rest);
-    const double least = (double)(uint32_t)(tail & UINT64_C(0xFFFFFFFF)) * 2.938735877055719e-39
-        + (double)(uint32_t)(end >> 32) * 6.842277657836021e-49;
+    pair_sum(lead.low, (double)(uint32_t)(tail >> 32) * 0x1p-96, &rest);
+    const double least = (double)(uint32_t)(tail & UINT64_C(0xFFFFFFFF)) * 0x1p-128
+        + (double)(uint32_t)(end >> 32) * 0x1p-160;
     pair_t upper;
     pair_ordered_sum(lead.high, rest.high, &upper);
     pair_t fraction_2;

@@ -45,17 +45,15 @@ double roots_far_length(double large, double small)
     }
 
     /* By 2⁻⁶⁰ the smaller is lost. */
-    if (small <= large * 8.673617379884035e-19) {
+    if (small <= large * 0x1p-60) {
         return large + small;
     }
 
     /* By 2^±600. */
     if (large > 1e150) {
-        return roots_length(large * 2.409919865102884e-181, small * 2.409919865102884e-181)
-            * 4.149515568880993e180;
+        return roots_length(large * 0x1p-600, small * 0x1p-600) * 0x1p600;
     } else {
-        return roots_length(large * 4.149515568880993e180, small * 4.149515568880993e180)
-            * 2.409919865102884e-181;
+        return roots_length(large * 0x1p600, small * 0x1p600) * 0x1p-600;
     }
 }
 

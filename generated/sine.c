@@ -131,7 +131,7 @@ static const double SINE_ROWS[64][3] = {
 };
 
 /** 2⁻²⁷: a smaller angle equals its sine and its tangent to the last bit. */
-static const double TINY = 7.450580596923828e-9;
+static const double TINY = 0x1p-27;
 
 /** Sine of `row`·π/64 + `rest` for |rest| ≤ π/128, if the sine is at least 1/4. */
 static inline double sine_from_row(uint64_t row, double rest)

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use bessemer_ir::{ConstId, Module, StructId, Type};
 
 use super::context::{Context, Uses};
+use super::literal::Readers;
 use super::spelling::unique;
 use super::tree::{
     Declarator, Expr, Head, Init, Item, Lines, Origin, Step, Stmt, StmtKind, Storage, plain,
@@ -105,7 +106,7 @@ impl Writer<'_> {
             Type::Unit | Type::Slice(_) => {}
             Type::Scalar(_) | Type::Enum(_) => {
                 self.uses.system.extend(literal::needs_math(ty, words[0]).then_some("math.h"));
-                let value = literal::word(self.context.names, ty, words[0]);
+                let value = literal::word(self.context.names, ty, words[0], Readers::C);
                 self.set(place, value);
             }
             Type::Struct(id) => self.structure(place, *id, words),
@@ -176,9 +177,9 @@ impl Writer<'_> {
         let tables = &self.tables;
         let name = unique(&format!("initial_{field}"), |name| tables.contains(name));
         self.tables.insert(name.clone());
-        let items = words
-            .iter()
-            .map(|word| (None, Init::Value(literal::word(self.context.names, element, *word))));
+        let items = words.iter().map(|word| {
+            (None, Init::Value(literal::word(self.context.names, element, *word, Readers::C)))
+        });
         let init = Init::List { items: items.collect(), lines: Lines::Fill };
         let declarator = Declarator {
             ty: format!("static const {}", self.context.names.word(element)),

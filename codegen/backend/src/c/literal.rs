@@ -5,26 +5,42 @@ use bessemer_ir::{Const, Float, Int, Scalar, Type};
 use super::names::Names;
 use super::tree::Expr;
 
+/// Largest number of decimal digits of a power of two that a reader recognises: 16777216.
+const READABLE: usize = 8;
+
+/// The languages of those that read a constant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Readers {
+    /// C: a source.
+    C,
+    /// C and C++: a header. C++ has binary floats since 2017 only.
+    Cpp,
+}
+
 /// Returns a scalar or an enum as a C constant.
-pub fn word(names: &Names, ty: &Type, word: u64) -> Expr {
+pub fn word(names: &Names, ty: &Type, word: u64, readers: Readers) -> Expr {
     match ty {
         Type::Scalar(Scalar::Bool) => Expr::name(if word == 0 { "false" } else { "true" }),
         Type::Scalar(Scalar::Int(int)) => integer(*int, int.from_word(word)),
-        Type::Scalar(Scalar::Float(float)) => number(*float, word),
+        Type::Scalar(Scalar::Float(float)) => number(*float, word, readers),
         Type::Enum(id) => Expr::name(names.variant(*id, word)),
         other => unreachable!("no word: {other:?}"),
     }
 }
 
 /// Returns a float from its bits.
-pub fn number(float: Float, bits: u64) -> Expr {
+pub fn number(float: Float, bits: u64, readers: Readers) -> Expr {
+    let text = |value: f64, decimal: String| match readers {
+        Readers::C => binary(value).filter(|_| is_obscure(&decimal)).unwrap_or(decimal),
+        Readers::Cpp => decimal,
+    };
     let (magnitude, negative) = match float {
         Float::F64 => {
             let value = f64::from_bits(bits);
             let text = match value.abs() {
                 value if value.is_nan() => "(double)NAN".to_owned(),
                 value if value.is_infinite() => "(double)INFINITY".to_owned(),
-                value => format!("{value:?}"),
+                value => text(value, format!("{value:?}")),
             };
             (text, value.is_sign_negative() && !value.is_nan())
         }
@@ -33,7 +49,7 @@ pub fn number(float: Float, bits: u64) -> Expr {
             let text = match value.abs() {
                 value if value.is_nan() => "NAN".to_owned(),
                 value if value.is_infinite() => "INFINITY".to_owned(),
-                value => format!("{value:?}F"),
+                value => text(value.into(), format!("{value:?}")) + "F",
             };
             (text, value.is_sign_negative() && !value.is_nan())
         }
@@ -43,6 +59,25 @@ pub fn number(float: Float, bits: u64) -> Expr {
         None => Expr::Name(magnitude),
     };
     if negative { Expr::unary("-", value) } else { value }
+}
+
+/// Returns true if a decimal number hides a power of two by its digits or its exponent.
+fn is_obscure(decimal: &str) -> bool {
+    let digits = decimal.trim_start_matches(['0', '.']).trim_end_matches(".0");
+    digits.len() > READABLE || digits.contains('e')
+}
+
+/// Returns a positive number as a power of two, or half more than one: `0x1p1023`, `0x1.8p52`.
+fn binary(value: f64) -> Option<String> {
+    const MANTISSA: u64 = (1 << 52) - 1;
+    const HALF: u64 = 1 << 51;
+    let significand = match value.to_bits() & MANTISSA {
+        0 if value.is_normal() => "1",
+        HALF if value.is_normal() => "1.8",
+        _ => return None,
+    };
+    let exponent = (value.to_bits() >> 52) as i64 - 1023;
+    Some(format!("0x{significand}p{exponent}"))
 }
 
 /// Returns true if [`number`] needs `math.h` for these bits.
@@ -81,7 +116,8 @@ pub fn word_of_c(item: &Const) -> Option<(Expr, &'static str)> {
         "MIN_POSITIVE" => (least_normal, limit("MIN")),
         "EPSILON" => (epsilon, limit("EPSILON")),
         "NAN" | "INFINITY" | "NEG_INFINITY" => {
-            return needs_math(&item.ty, word).then(|| (number(float, word), "math.h"));
+            return needs_math(&item.ty, word)
+                .then(|| (number(float, word, Readers::Cpp), "math.h"));
         }
         _ => return None,
     };
@@ -139,4 +175,43 @@ pub fn integer(int: Int, value: i128) -> Expr {
 /// Returns true if an unsigned number looks like a bit pattern: at least 2²⁰, and no multiple of 100.
 fn is_pattern(int: Int, value: u128) -> bool {
     !int.signed() && value >= 1 << 20 && !value.is_multiple_of(100)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Float, Readers, number};
+    use crate::c::tree::Expr;
+
+    /// Powers of two whose digits hide them are binary, with the same bits; short and inexact numbers stay decimal.
+    #[test]
+    fn hidden_powers_of_two_are_binary() {
+        for (value, text) in [
+            (0.0, "0.0"),
+            (0.125, "0.125"),
+            (2.0_f64.powi(-11), "0.00048828125"),
+            (2.0_f64.powi(-12), "0x1p-12"),
+            (2.0_f64.powi(-27), "0x1p-27"),
+            (16_777_216.0, "16777216.0"),
+            (2.0_f64.powi(53), "0x1p53"),
+            (1.5 * 2.0_f64.powi(52), "0x1.8p52"),
+            (1.25 * 2.0_f64.powi(52), "5629499534213120.0"),
+            (2.0_f64.powi(1023), "0x1p1023"),
+            (f64::MIN_POSITIVE, "0x1p-1022"),
+            (f64::MIN_POSITIVE / 2.0, "1.1125369292536007e-308"),
+            (0.1, "0.1"),
+            (1e300, "1e300"),
+        ] {
+            assert_eq!(
+                number(Float::F64, value.to_bits(), Readers::C),
+                Expr::name(text),
+                "{value}"
+            );
+        }
+        let single = |value: f32| number(Float::F32, value.to_bits().into(), Readers::C);
+        assert_eq!(single(2.0_f32.powi(60)), Expr::name("0x1p60F"));
+        assert_eq!(single(-2.0_f32.powi(-60)), Expr::unary("-", Expr::name("0x1p-60F")));
+        assert_eq!(single(8_388_608.0), Expr::name("8388608.0F"));
+        let in_header = number(Float::F64, 2.0_f64.powi(60).to_bits(), Readers::Cpp);
+        assert_eq!(in_header, Expr::name("1.152921504606847e18"));
+    }
 }

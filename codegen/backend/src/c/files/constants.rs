@@ -13,11 +13,12 @@ use super::{Writer, origin};
 use crate::c::assemble::assemble;
 use crate::c::context::Context;
 use crate::c::file::CFile;
+use crate::c::literal::{self, Readers};
 use crate::c::options::Options;
 use crate::c::shell::Shell;
 use crate::c::spelling::identifier;
 use crate::c::tree::{Init, Item, Lines, Storage};
-use crate::c::{asked, described, internal, literal, sizes, target};
+use crate::c::{asked, described, internal, sizes, target};
 
 /// Largest number of words in a polynomial; longer constants are tables.
 const FEW: usize = 16;
@@ -133,7 +134,7 @@ fn size(context: Context<'_>, id: ConstId, name: &str) -> Item {
     Item::Define {
         docs: described::constant(context.names, item),
         name: name.to_owned(),
-        value: literal::word(context.names, &item.ty, item.words[0]),
+        value: literal::word(context.names, &item.ty, item.words[0], Readers::Cpp),
         origin: origin(item.span),
         path: item.path(),
     }
@@ -163,7 +164,9 @@ fn constant(
     let leaves = module.leaves(&item.ty);
     let by_bits = |(ty, word): (&Type, &u64)| literal::is_by_bits(ty, *word);
     let hexadecimal = item.given.hexadecimal || leaves.iter().zip(&item.words).any(by_bits);
-    let init = constant_init(context, &item.ty, hexadecimal, &mut words);
+    let shared = context.names.shared_constant(id).is_some();
+    let readers = if shared && stands_in_header(item) { Readers::Cpp } else { Readers::C };
+    let init = constant_init(context, &item.ty, (hexadecimal, readers), &mut words);
     if leaves.iter().zip(&item.words).any(|(ty, word)| literal::needs_math(ty, *word)) {
         includes.system.insert("math.h");
     }
@@ -194,7 +197,12 @@ fn docs(context: Context<'_>, item: &Const) -> Vec<String> {
 }
 
 /// Returns the initialiser of a constant. Its integers are all hexadecimal, or all decimal.
-fn constant_init(context: Context<'_>, ty: &Type, hexadecimal: bool, words: &mut &[u64]) -> Init {
+fn constant_init(
+    context: Context<'_>,
+    ty: &Type,
+    spelling: (bool, Readers),
+    words: &mut &[u64],
+) -> Init {
     let list = |items: Vec<(Option<String>, Init)>, lines| Init::List { items, lines };
     match ty {
         Type::Struct(id) => {
@@ -203,7 +211,7 @@ fn constant_init(context: Context<'_>, ty: &Type, hexadecimal: bool, words: &mut
             let first = words.first().copied().unwrap_or_default();
             let mut items = Vec::new();
             for (index, (field, name)) in item.fields.iter().zip(names).enumerate() {
-                let init = constant_init(context, &field.ty, hexadecimal, words);
+                let init = constant_init(context, &field.ty, spelling, words);
                 if field.ty != Type::Unit && (!item.overlaid() || item.holds(index, first)) {
                     items.push((Some(name.clone()), init));
                 }
@@ -211,14 +219,13 @@ fn constant_init(context: Context<'_>, ty: &Type, hexadecimal: bool, words: &mut
             list(items, Lines::Fill)
         }
         Type::Array { element, len } => {
-            let items =
-                (0..*len).map(|_| (None, constant_init(context, element, hexadecimal, words)));
+            let items = (0..*len).map(|_| (None, constant_init(context, element, spelling, words)));
             list(items.collect(), Lines::Fill)
         }
         Type::Matrix { element, rows, cols } => {
             let element = Type::Scalar(*element);
             let items: Vec<_> = (0..rows * cols)
-                .map(|_| constant_init(context, &element, hexadecimal, words))
+                .map(|_| constant_init(context, &element, spelling, words))
                 .collect();
             let groups = *rows > 1 && *cols > 1;
             let lines = if groups { Lines::Groups(*rows as usize) } else { Lines::Fill };
@@ -227,11 +234,12 @@ fn constant_init(context: Context<'_>, ty: &Type, hexadecimal: bool, words: &mut
         _ => {
             let (word, rest) = words.split_first().expect("the validator counts words");
             *words = rest;
+            let (hexadecimal, readers) = spelling;
             Init::Value(match (hexadecimal, ty.as_int()) {
                 (true, Some(int)) if !int.signed() => {
                     literal::hexadecimal(int, int.from_word(*word))
                 }
-                _ => literal::word(context.names, ty, *word),
+                _ => literal::word(context.names, ty, *word, readers),
             })
         }
     }

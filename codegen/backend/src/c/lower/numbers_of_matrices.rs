@@ -6,7 +6,7 @@
 use bessemer_ir::{Expr as Ir, ExprKind, Float, Routine, Scalar, Type};
 
 use super::super::helpers::{Helper, ONE_BLOCK};
-use super::super::literal;
+use super::super::literal::{self, Readers};
 use super::super::matrices::Layout;
 use super::super::tree::{Expr, Init};
 use super::Lower;
@@ -182,5 +182,5 @@ impl Lower<'_> {
 }
 
 fn zero(float: Float) -> Expr {
-    literal::number(float, 0)
+    literal::number(float, 0, Readers::C)
 }

@@ -7,7 +7,7 @@ use bessemer_ir::kernel::{DOTS_WRITTEN_OUT, WRITTEN_OUT};
 use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Place, Routine, Scalar, Type};
 
 use super::super::helpers::Helper;
-use super::super::literal;
+use super::super::literal::{self, Readers};
 use super::super::matrices::Layout;
 use super::super::tree::{Expr, Init, Lines, StmtKind};
 use super::Lower;
@@ -475,7 +475,7 @@ impl Fused {
 fn is_nothing(fused: &Fused, scalar: Scalar, at: &At<'_>) -> bool {
     match (fused, scalar, at) {
         (Fused::Elements(items, rows), Scalar::Float(float), At::Fixed(row, column)) => {
-            items[(row + rows * column) as usize] == literal::number(float, 0)
+            items[(row + rows * column) as usize] == literal::number(float, 0, Readers::C)
         }
         _ => false,
     }

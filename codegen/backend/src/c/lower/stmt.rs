@@ -6,7 +6,7 @@ use bessemer_ir::{
     Scalar, Stmt as IrStmt, StmtKind as IrKind, Type,
 };
 
-use super::super::literal;
+use super::super::literal::{self, Readers};
 use super::super::tree::{Expr, Init, Stmt, StmtKind, SwitchArm, plain};
 use super::Lower;
 use super::fill::{filled, length, rewritten, spared, unwritten};
@@ -480,7 +480,7 @@ impl Lower<'_> {
     }
 
     fn label(&self, ty: &Type, value: i128) -> Expr {
-        literal::word(self.context.names, ty, value as u64)
+        literal::word(self.context.names, ty, value as u64, Readers::C)
     }
 }
 

@@ -4,11 +4,11 @@
 //! comparisons, which are `int` in C.
 
 use bessemer_ir::{
-    BinaryOp, CompareOp, ConstId, Expr as Ir, ExprKind, Int, LogicOp, Routine, Scalar, Type,
+    BinaryOp, CompareOp, ConstId, Expr as Ir, ExprKind, Int, LogicOp, Role, Routine, Scalar, Type,
     UnaryOp,
 };
 
-use super::super::literal;
+use super::super::literal::{self, Readers};
 use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
 use super::Lower;
@@ -16,6 +16,14 @@ use super::bits::{is_raised, is_widened, masked, uncast};
 use super::place::is_small;
 
 impl Lower<'_> {
+    /// Returns the languages of those that read the function: an inline one may be in a header.
+    fn readers(&self) -> Readers {
+        match self.function.role {
+            Role::Inline { .. } => Readers::Cpp,
+            _ => Readers::C,
+        }
+    }
+
     /// Returns an expression of one word.
     pub(super) fn word(&mut self, expr: &Ir) -> Expr {
         if self.counts(expr) && self.range(expr).is_some() {
@@ -34,7 +42,7 @@ impl Lower<'_> {
                 self.uses.system.extend(literal::needs_math(&expr.ty, *word).then_some("math.h"));
                 match expr.ty.as_int().filter(|_| self.is_hexadecimal(expr, *word)) {
                     Some(int) => literal::hexadecimal(int, int.from_word(*word)),
-                    None => literal::word(self.context.names, &expr.ty, *word),
+                    None => literal::word(self.context.names, &expr.ty, *word, self.readers()),
                 }
             }
             ExprKind::Const(id) => self.constant_or_word_of_c(*id),
