@@ -138,7 +138,7 @@ pub fn source(kernel: &Kernel, tuning: &Tuning) -> Source {
     // A header's code is compiled with its callers' options; tiles are stored as they are loaded.
     let tiled =
         matches!(kernel.routine, LuSolve | Solve | Inverse) && way(kernel, tuning) == Way::Tiles;
-    if kernel.element == Float::F32 && !stands_in_header(kernel) && !tiled {
+    if kernel.element == Float::F32 && !is_in_header(kernel) && !tiled {
         source.before = format!("{SINGLE_STORES}\n{}", source.before).trim_end().to_owned();
     }
     of_processors(source, tuning.processors)
@@ -210,7 +210,7 @@ fn of_routine(kernel: &Kernel, tuning: &Tuning) -> Source {
 fn has_loops(kernel: &Kernel) -> bool {
     use KernelRoutine::{Cholesky, CholeskyLower};
     // Of Cholesky's factor the loops are one of the ways.
-    !stands_in_header(kernel) && !matches!(kernel.routine, Cholesky | CholeskyLower)
+    !is_in_header(kernel) && !matches!(kernel.routine, Cholesky | CholeskyLower)
 }
 
 /// Returns true if a kernel has a variant by rows for targets with vectors.
@@ -220,7 +220,7 @@ fn by_rows(kernel: &Kernel, tuning: &Tuning) -> bool {
 
 /// Returns true if a kernel is in its header as an inline function. At these sizes, the call and its copies would be a
 /// large part of its cost.
-pub fn stands_in_header(kernel: &Kernel) -> bool {
+pub fn is_in_header(kernel: &Kernel) -> bool {
     match (kernel.routine, kernel.dims.as_slice()) {
         (KernelRoutine::Inverse, &[size]) => size <= 4,
         (KernelRoutine::Cholesky | KernelRoutine::CholeskyLower, &[size])

@@ -55,7 +55,7 @@ pub(super) fn shared(
             sizes.push(size(context, id, name));
             continue;
         }
-        if stands_in_header(item) {
+        if is_in_header(item) {
             declared.push(constant(context, options, id, name, &mut of_header));
             continue;
         }
@@ -124,7 +124,7 @@ pub(super) fn shared(
 
 /// Returns true if the value of a shared constant must be visible where it is used. These are scalars, and the short
 /// aggregates of inline functions, which compilers fold completely.
-fn stands_in_header(item: &Const) -> bool {
+fn is_in_header(item: &Const) -> bool {
     let few = !item.given.public && item.words.len() <= FEW;
     item.given.section.is_none() && (item.ty.is_word() || few)
 }
@@ -165,7 +165,7 @@ fn constant(
     let by_bits = |(ty, word): (&Type, &u64)| literal::is_by_bits(ty, *word);
     let hexadecimal = item.given.hexadecimal || leaves.iter().zip(&item.words).any(by_bits);
     let shared = context.names.shared_constant(id).is_some();
-    let readers = if shared && stands_in_header(item) { Readers::Cpp } else { Readers::C };
+    let readers = if shared && is_in_header(item) { Readers::Cpp } else { Readers::C };
     let init = constant_init(context, &item.ty, (hexadecimal, readers), &mut words);
     if leaves.iter().zip(&item.words).any(|(ty, word)| literal::needs_math(ty, *word)) {
         includes.system.insert("math.h");

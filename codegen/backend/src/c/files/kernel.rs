@@ -18,7 +18,7 @@ impl Writer<'_> {
         let Callable::Function(id) = callable else { return None };
         let kernel = self.context.module.functions[id.index()].kernel.as_ref()?;
         let own = Replacement::of(&self.options.replacements, kernel).is_none();
-        (own && kernels::stands_in_header(kernel)).then_some(kernel)
+        (own && kernels::is_in_header(kernel)).then_some(kernel)
     }
 
     /// Returns a kernel as an inline function of its header.

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use bessemer_ir::Kernel;
 
 use super::super::text::{fill, values};
-use super::super::{Source, stands_in_header};
+use super::super::{Source, is_in_header};
 use super::{is_beside, spoil};
 
 const POSITIVE: &str = "\
@@ -14,7 +14,7 @@ const POSITIVE: &str = "\
 
 /// Returns the factorisation: for every column, the columns on its left, the root, the division.
 pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
-    let (in_header, beside) = (stands_in_header(kernel), is_beside(kernel));
+    let (in_header, beside) = (is_in_header(kernel), is_beside(kernel));
     let mut text = if in_header { POSITIVE.to_owned() } else { String::new() };
     // Writing to a string cannot fail.
     let mut put = |line: String| {
@@ -87,7 +87,7 @@ pub(super) fn solve(kernel: &Kernel, n: u32, columns: u32) -> Source {
         let _ = writeln!(text, "    x[{row}] = x{row};");
     }
     let values = values(kernel.element, &[("n", n), ("columns", columns)]);
-    if stands_in_header(kernel) {
+    if is_in_header(kernel) {
         let body = text.replace("    ", "").replace("= x[", "= b[").replace("x[", "b[");
         return Source { body: fill(&body, &values), ..Source::default() };
     }
