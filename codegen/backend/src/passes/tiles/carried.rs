@@ -150,12 +150,15 @@ fn carries(body: &Block, outer: &Counted<'_>, inner: &Counted<'_>) -> bool {
     found
 }
 
-/// Returns the position of the step that is this counter.
+/// Returns the position of the step that is this counter. Behind the start of a slice, equal counters may be different
+/// elements: `x[1..][j]` is `x[2..][j]` of the pass before.
 fn at(place: &Place, counter: LocalId) -> Option<usize> {
     let is = |index: &Expr| {
         matches!(&index.kind, ExprKind::Load(place)
             if place.root == counter && place.steps.is_empty())
     };
     let step = |step: &Step| matches!(step, Step::Index(index) if is(index));
-    place.steps.iter().position(step)
+    let position = place.steps.iter().position(step)?;
+    let whole = !place.steps[..position].iter().any(|step| matches!(step, Step::From(_)));
+    whole.then_some(position)
 }
