@@ -4,4 +4,6 @@
 //! of Rust's method, or of the operator's trait. Operators that may fault are expanded: a check at the author's line,
 //! then a function that cannot fault.
 
+pub mod i128;
+mod methods;
 pub mod u128;

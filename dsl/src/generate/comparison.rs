@@ -104,13 +104,18 @@ macro_rules! integers {
 integers! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
 
 impl Compared for bool {}
-impl Compared for u128 {}
-
-impl Extremes for u128 {
-    type Min = comparison::__function_lesser<u128>;
-    type Max = comparison::__function_greater<u128>;
-    type Clamp = comparison::__function_limited<u128>;
+macro_rules! wide {
+    ($($ty:ident)*) => {$(
+        impl Compared for $ty {}
+        impl Extremes for $ty {
+            type Min = comparison::__function_lesser<$ty>;
+            type Max = comparison::__function_greater<$ty>;
+            type Clamp = comparison::__function_limited<$ty>;
+        }
+    )*};
 }
+
+wide! { u128 i128 }
 
 /// Carriers of functions of `core::cmp`.
 #[allow(non_camel_case_types)]

@@ -74,6 +74,7 @@ pub mod prelude {
         __any, __glance, __look, __next, __pass, __result, __see, __take, __unreached, Through as _,
     };
     pub use super::spatial::traits::*;
+    pub use super::wide::traits::*;
     pub use crate::comparison::OrderingCompanions as _;
     pub use crate::complex::ComplexCompanions as _;
     pub use crate::linear::InverseCompanion as _;

@@ -19,6 +19,12 @@ markers! {
     TryFrom: TryFrom;
     Real: Real;
     Same: Owned;
+    Little: Bytes(ByteOrder::Little);
+    Big: Bytes(ByteOrder::Big);
+    Signum: Number(NumberMethod::Signum);
+    DivEuclid: Number(NumberMethod::DivEuclid);
+    RemEuclid: Number(NumberMethod::RemEuclid);
+    Abs: Scalar(Intrinsic::Abs);
     Min: Scalar(Intrinsic::Min);
     Max: Scalar(Intrinsic::Max);
     Clamp: Scalar(Intrinsic::Clamp);
@@ -86,12 +92,12 @@ companions! {
     }
     /// Methods that return the sign as a number.
     pub trait SignBuiltins: Sized {
-        fn __b_signum(self) -> Self = Signum: Number(NumberMethod::Signum);
+        fn __b_signum(self) -> Self = <Signum>;
     }
     /// Division whose remainder is not negative.
     pub trait DivisionBuiltins: Sized {
-        fn __b_div_euclid(self, _other: Self) -> Self = DivEuclid: Number(NumberMethod::DivEuclid);
-        fn __b_rem_euclid(self, _other: Self) -> Self = RemEuclid: Number(NumberMethod::RemEuclid);
+        fn __b_div_euclid(self, _other: Self) -> Self = <DivEuclid>;
+        fn __b_rem_euclid(self, _other: Self) -> Self = <RemEuclid>;
     }
     /// Methods of floats: exact ones, conversions from and to bits, and double precision.
     pub trait FloatBuiltins: Sized {
@@ -120,7 +126,7 @@ companions! {
     }
     /// Methods of numbers that are ordered.
     pub trait OrderBuiltins: Sized {
-        fn __b_abs(self) -> Self = Abs: Scalar(Intrinsic::Abs);
+        fn __b_abs(self) -> Self = <Abs>;
         fn __b_min(self, _other: Self) -> Self = <Min>;
         fn __b_max(self, _other: Self) -> Self = <Max>;
         fn __b_clamp(self, _low: Self, _high: Self) -> Self = <Clamp>;
@@ -128,10 +134,10 @@ companions! {
     /// Conversions of numbers to and from bytes.
     pub trait BytesBuiltins: Sized {
         type Bytes;
-        fn __b_to_le_bytes(self) -> Self::Bytes = ToLeBytes: Bytes(ByteOrder::Little);
-        fn __b_to_be_bytes(self) -> Self::Bytes = ToBeBytes: Bytes(ByteOrder::Big);
-        fn __b_from_le_bytes(_bytes: Self::Bytes) -> Self = FromLeBytes: Bytes(ByteOrder::Little);
-        fn __b_from_be_bytes(_bytes: Self::Bytes) -> Self = FromBeBytes: Bytes(ByteOrder::Big);
+        fn __b_to_le_bytes(self) -> Self::Bytes = <ToLe>;
+        fn __b_to_be_bytes(self) -> Self::Bytes = <ToBe>;
+        fn __b_from_le_bytes(_bytes: Self::Bytes) -> Self = <FromLe>;
+        fn __b_from_be_bytes(_bytes: Self::Bytes) -> Self = <FromBe>;
     }
     /// Methods of characters, whose functions take the code point.
     impl[] CharBuiltins for char {
@@ -273,26 +279,44 @@ macro_rules! implement {
 
 implement! {
     WholeCompanions: i8 i16 i32 i64 isize u8 u16 u32 u64 usize;
-    SignBuiltins: i8 i16 i32 i64 isize f32 f64;
-    DivisionBuiltins: i8 i16 i32 i64 isize u8 u16 u32 u64 usize f32 f64;
 }
 
 macro_rules! ordered {
     ($($ty:ident)*) => {$(
         impl OrderBuiltins for $ty {
+            type Abs = Abs;
             type Min = Min;
             type Max = Max;
             type Clamp = Clamp;
+        }
+
+        impl DivisionBuiltins for $ty {
+            type DivEuclid = DivEuclid;
+            type RemEuclid = RemEuclid;
         }
     )*};
 }
 
 ordered! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize f32 f64 }
 
+macro_rules! with_sign {
+    ($($ty:ident)*) => {$(
+        impl SignBuiltins for $ty {
+            type Signum = Signum;
+        }
+    )*};
+}
+
+with_sign! { i8 i16 i32 i64 isize f32 f64 }
+
 macro_rules! bytes {
     ($($count:literal: $($ty:ident)*;)*) => {$($(
         impl BytesBuiltins for $ty {
             type Bytes = [u8; $count];
+            type ToLe = Little;
+            type ToBe = Big;
+            type FromLe = Little;
+            type FromBe = Big;
         }
     )*)*};
 }

@@ -91,6 +91,9 @@ impl<O: OfOneType, T: ScalarType> Operates<O, T> for T {
 impl<O: OfOneType> Operates<O, u128> for u128 {
     type Marker = NotOwn;
 }
+impl<O: OfOneType> Operates<O, i128> for i128 {
+    type Marker = NotOwn;
+}
 
 impl<O, T: ScalarType, const R: usize, const C: usize> Operates<O, T> for SMatrix<T, R, C> {
     type Marker = NotOwn;

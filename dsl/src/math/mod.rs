@@ -294,6 +294,6 @@ fn bits<T: FloatMethods>(number: T) -> T::Bits {
 }
 
 bytes! {
-    u8, same; i8, same; u16, same; i16, same; u32, same; i32, same; u64, same; i64, same;
+    u8, same; i8, same; u16, same; i16, same; u32, same; i32, same; u64, same; i64, same; u128, same; i128, same;
     usize, same; isize, same; f32, bits; f64, bits;
 }

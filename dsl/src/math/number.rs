@@ -122,7 +122,7 @@ macro_rules! integers {
     )*};
 }
 
-integers! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
+integers! { i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize }
 
 macro_rules! signed {
     ($($int:ident)*) => {$(
@@ -137,4 +137,4 @@ macro_rules! signed {
     )*};
 }
 
-signed! { i8 i16 i32 i64 isize }
+signed! { i8 i16 i32 i64 i128 isize }

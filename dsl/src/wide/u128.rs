@@ -1,5 +1,7 @@
 //! Rust's `u128` in the C.
 
+use super::methods::methods;
+use super::u128 as unsigned;
 use crate::Plain;
 use crate::prelude::*;
 
@@ -215,9 +217,9 @@ pub fn is_zero(number: U128) -> bool {
 /// For a sum of more than 128 bits.
 #[function(expand)]
 pub fn sum(one: U128, other: U128) -> U128 {
-    let overflows = sum_overflows(one, other);
-    crate::__fits!(!overflows);
-    wrapping_add(one, other)
+    let sum = checked_add(one, other);
+    crate::__fits!(sum.is_some());
+    sum.unwrap()
 }
 
 /// The difference.
@@ -226,8 +228,9 @@ pub fn sum(one: U128, other: U128) -> U128 {
 /// For a difference below 0.
 #[function(expand)]
 pub fn difference(one: U128, other: U128) -> U128 {
-    crate::__fits!(!(one < other));
-    wrapping_sub(one, other)
+    let difference = checked_sub(one, other);
+    crate::__fits!(difference.is_some());
+    difference.unwrap()
 }
 
 /// The product.
@@ -236,9 +239,9 @@ pub fn difference(one: U128, other: U128) -> U128 {
 /// For a product of more than 128 bits.
 #[function(expand)]
 pub fn product(one: U128, other: U128) -> U128 {
-    let overflows = product_overflows(one, other);
-    crate::__fits!(!overflows);
-    wrapping_mul(one, other)
+    let product = checked_mul(one, other);
+    crate::__fits!(product.is_some());
+    product.unwrap()
 }
 
 /// The quotient, rounded down.
@@ -261,153 +264,186 @@ pub fn rem(number: U128, divisor: U128) -> U128 {
     remainder(number, divisor)
 }
 
-macro_rules! shifts {
-    ($($int:ident $up:ident $down:ident;)*) => {$(
-        /// Moves the bits up.
-        ///
-        /// # Panics
-        /// For fewer than 0 bits or more than 127.
-        #[function(expand)]
-        pub fn $up(number: U128, bits: $int) -> U128 {
-            crate::__shifts!(bits as u64 <= 127);
-            wrapping_shl(number, bits as u32)
-        }
+methods! { U128: u64 }
 
-        /// Moves the bits down.
-        ///
-        /// # Panics
-        /// For fewer than 0 bits or more than 127.
-        #[function(expand)]
-        pub fn $down(number: U128, bits: $int) -> U128 {
-            crate::__shifts!(bits as u64 <= 127);
-            wrapping_shr(number, bits as u32)
-        }
-    )*};
-}
-
-shifts! {
-    i8 shl_i8 shr_i8;
-    i16 shl_i16 shr_i16;
-    i32 shl_i32 shr_i32;
-    i64 shl_i64 shr_i64;
-    isize shl_isize shr_isize;
-    u8 shl_u8 shr_u8;
-    u16 shl_u16 shr_u16;
-    u64 shl_u64 shr_u64;
-    usize shl_usize shr_usize;
-}
-
-/// Moves the bits up.
-///
-/// # Panics
-/// For more than 127 bits.
+/// Returns false: no number is below 0.
 #[function(expand)]
-pub fn shl_u32(number: U128, bits: u32) -> U128 {
-    crate::__shifts!(bits <= 127);
-    wrapping_shl(number, bits)
+pub fn is_negative(_number: U128) -> bool {
+    false
 }
 
-/// Moves the bits down.
-///
-/// # Panics
-/// For more than 127 bits.
+/// The number itself.
 #[function(expand)]
-pub fn shr_u32(number: U128, bits: u32) -> U128 {
-    crate::__shifts!(bits <= 127);
+pub fn unsigned_abs(number: U128) -> U128 {
+    number
+}
+
+/// Returns true if the difference of two numbers is below 0.
+#[function(expand)]
+pub fn difference_overflows(one: U128, other: U128) -> bool {
+    one < other
+}
+
+/// Returns false: no quotient is greater than its dividend.
+#[function(expand)]
+pub fn quotient_overflows(_number: U128, _divisor: U128) -> bool {
+    false
+}
+
+/// Returns true if a number is a value of a type of at most 64 bits with this greatest value.
+#[function(expand)]
+pub fn is_within(number: U128, _least: i64, greatest: u64) -> bool {
+    number.high == 0 && number.low <= greatest
+}
+
+/// The number 0, or else the greatest.
+#[function(expand)]
+pub fn limit(least: bool) -> U128 {
+    if least { U128 { high: 0, low: 0 } } else { U128 { high: u64::MAX, low: u64::MAX } }
+}
+
+/// Moves the bits down, by `bits` modulo 128, with zeros above.
+#[function(expand)]
+pub fn logical_shr(number: U128, bits: u32) -> U128 {
     wrapping_shr(number, bits)
 }
 
-/// The bits that are 1 in both numbers.
+/// The negative, wrapped to 128 bits.
 #[function(expand)]
-pub fn both(one: U128, other: U128) -> U128 {
-    U128 { high: one.high & other.high, low: one.low & other.low }
+pub fn wrapping_neg(number: U128) -> U128 {
+    wrapping_sub(U128 { high: 0, low: 0 }, number)
 }
 
-/// The bits that are 1 in at least one of the numbers.
-#[function(expand)]
-pub fn either(one: U128, other: U128) -> U128 {
-    U128 { high: one.high | other.high, low: one.low | other.low }
+/// `-a`; `None` unless it is 0.
+#[function]
+pub fn checked_neg(a: U128) -> Option<U128> {
+    if is_zero(a) { Some(a) } else { None }
 }
 
-/// The bits in which the two differ.
-#[function(expand)]
-pub fn differing(one: U128, other: U128) -> U128 {
-    U128 { high: one.high ^ other.high, low: one.low ^ other.low }
+/// The magnitude of the difference.
+#[function]
+#[inline]
+pub fn abs_diff(one: U128, other: U128) -> U128 {
+    if one < other { wrapping_sub(other, one) } else { wrapping_sub(one, other) }
 }
 
-/// The bits that a number does not have.
+/// Returns true for a power of two.
 #[function(expand)]
-pub fn opposite(number: U128) -> U128 {
-    U128 { high: !number.high, low: !number.low }
+pub fn is_power_of_two(number: U128) -> bool {
+    count_ones(number) == 1
 }
 
-macro_rules! words {
-    ($($int:ident $of:ident $to:ident;)*) => {$(
+/// The position of the highest bit; `None` for 0.
+#[function]
+pub fn checked_ilog2(number: U128) -> Option<u32> {
+    if is_zero(number) { None } else { Some(127_u32.wrapping_sub(leading_zeros(number))) }
+}
+
+/// The position of the highest bit.
+///
+/// # Panics
+/// For the number 0.
+#[function(expand)]
+pub fn ilog2(number: U128) -> u32 {
+    assert!(number.high != 0 || number.low != 0);
+    127_u32.wrapping_sub(leading_zeros(number))
+}
+
+/// The square root, rounded down: one bit after another, from the highest.
+#[function]
+pub fn isqrt(number: U128) -> U128 {
+    let mut rest = number;
+    let mut root = U128 { high: 0, low: 0 };
+    for step in 1..=64_u32 {
+        let bit = wrapping_shl(U128 { high: 0, low: 1 }, 128 - 2 * step);
+        let tried = wrapping_add(root, bit);
+        root = wrapping_shr(root, 1);
+        if !(rest < tried) {
+            rest = wrapping_sub(rest, tried);
+            root = wrapping_add(root, bit);
+        }
+    }
+    root
+}
+
+macro_rules! widenings {
+    ($($int:ident $of:ident;)*) => {$(
         /// Widens a number.
         #[function(expand)]
         pub fn $of(number: $int) -> U128 {
             U128 { high: 0, low: number as u64 }
         }
-
-        /// Keeps the lower bits.
-        #[function(expand)]
-        pub fn $to(number: U128) -> $int {
-            number.low as $int
-        }
     )*};
 }
 
-words! {
-    u8 of_u8 to_u8;
-    u16 of_u16 to_u16;
-    u32 of_u32 to_u32;
-    usize of_usize to_usize;
-}
-
-/// Widens a word.
-#[function(expand)]
-pub fn of_u64(number: u64) -> U128 {
-    U128 { high: 0, low: number }
-}
-
-/// Keeps the lower word.
-#[function(expand)]
-pub fn to_u64(number: U128) -> u64 {
-    number.low
-}
-
-/// Widens a truth to 0 or 1.
-#[function(expand)]
-pub fn of_bool(truth: bool) -> U128 {
-    U128 { high: 0, low: truth as u64 }
-}
-
-/// Widens a character to its code point.
-#[function(expand)]
-pub fn of_char(character: char) -> U128 {
-    U128 { high: 0, low: character as u64 }
+widenings! {
+    bool of_bool;
+    char of_char;
+    u8 of_u8;
+    u16 of_u16;
+    u32 of_u32;
+    u64 of_u64;
+    usize of_usize;
 }
 
 macro_rules! signed {
-    ($($int:ident $of:ident $to:ident;)*) => {$(
+    ($($int:ident $of:ident $try_of:ident;)*) => {$(
         /// Widens a number; the upper bits repeat its sign.
         #[function(expand)]
         pub fn $of(number: $int) -> U128 {
             U128 { high: if number < 0 { u64::MAX } else { 0 }, low: number as u64 }
         }
 
-        /// Keeps the lower bits.
-        #[function(expand)]
-        pub fn $to(number: U128) -> $int {
-            number.low as $int
+        /// Widens a number that is not below 0.
+        ///
+        /// # Errors
+        /// A number below 0.
+        #[function]
+        #[allow(clippy::result_unit_err)]
+        pub fn $try_of(number: $int) -> Result<U128, ()> {
+            if number < 0 { Err(()) } else { Ok(U128 { high: 0, low: number as u64 }) }
         }
     )*};
 }
 
 signed! {
-    i8 of_i8 to_i8;
-    i16 of_i16 to_i16;
-    i32 of_i32 to_i32;
-    i64 of_i64 to_i64;
-    isize of_isize to_isize;
+    i8 of_i8 try_of_i8;
+    i16 of_i16 try_of_i16;
+    i32 of_i32 try_of_i32;
+    i64 of_i64 try_of_i64;
+    isize of_isize try_of_isize;
+}
+
+/// Widens a size.
+///
+/// # Errors
+/// None: every size fits.
+#[function]
+#[allow(clippy::result_unit_err)]
+pub fn try_of_usize(number: usize) -> Result<U128, ()> {
+    Ok(U128 { high: 0, low: number as u64 })
+}
+
+/// Rounds a number towards 0, or to the nearest value of the type; 0 for a NaN.
+#[function]
+pub fn of_f64(number: f64) -> U128 {
+    if !(number >= 1.0) {
+        return U128 { high: 0, low: 0 };
+    }
+    if number >= 340_282_366_920_938_463_463_374_607_431_768_211_456.0 {
+        return U128 { high: u64::MAX, low: u64::MAX };
+    }
+    if number < 18_446_744_073_709_551_616.0 {
+        return U128 { high: 0, low: number as u64 };
+    }
+    // A whole number of 53 bits has the exponent 1075.
+    let bits = number.to_bits();
+    let whole = (bits & 0xF_FFFF_FFFF_FFFF) | 0x10_0000_0000_0000;
+    wrapping_shl(U128 { high: 0, low: whole }, ((bits >> 52) as u32).wrapping_sub(1075))
+}
+
+/// Rounds a number towards 0, or to the nearest value of the type; 0 for a NaN.
+#[function(expand)]
+pub fn of_f32(number: f32) -> U128 {
+    of_f64(f64::from(number))
 }

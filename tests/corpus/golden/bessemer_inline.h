@@ -23,6 +23,7 @@
 #include "derived_order.h"
 #include "enums.h"
 #include "exponential.h"
+#include "i128.h"
 #include "isometry.h"
 #include "lexical_order.h"
 #include "list2_u8.h"
@@ -2013,6 +2014,71 @@ static inline void logarithm_parts(uint64_t bits, logarithm_parts_t *parts)
     parts->significand = f64_from_bits(bits - ((uint64_t)(uint32_t)exponent << 52));
 }
 
+/** The sum, wrapped to 128 bits. */
+static inline void u128_wrapping_add(const u128_t *one, const u128_t *other, u128_t *u128)
+{
+    const uint64_t low = one->low + other->low;
+    const uint64_t carry = (uint64_t)(low < one->low);
+    u128->high = one->high + other->high + carry;
+    u128->low = low;
+}
+
+/** Returns true if the sum of two numbers needs more than 128 bits. */
+static inline bool u128_sum_overflows(const u128_t *one, const u128_t *other)
+{
+    u128_t u128;
+    u128_wrapping_add(one, other, &u128);
+    return u128.high < one->high || (u128.high == one->high && u128.low < one->low);
+}
+
+/** `a + b`; `None` if it overflows. */
+static inline void u128_checked_add(const u128_t *a, const u128_t *b, option_u128_t *result)
+{
+    if (u128_sum_overflows(a, b)) {
+        result->is_some = false;
+        result->value.high = UINT64_C(0);
+        result->value.low = UINT64_C(0);
+    } else {
+        u128_t result_value;
+        u128_wrapping_add(a, b, &result_value);
+        result->is_some = true;
+        result->value = result_value;
+    }
+}
+
+/** The sum, wrapped to 128 bits. */
+static inline void i128_wrapping_add(const i128_t *one, const i128_t *other, i128_t *i128)
+{
+    const uint64_t low = one->low + other->low;
+    const int64_t carry = (int64_t)(low < one->low);
+    i128->high = wrap_i64((uint64_t)one->high + (uint64_t)other->high + (uint64_t)carry);
+    i128->low = low;
+}
+
+/** Returns true if the sum of two numbers needs more than 128 bits. */
+static inline bool i128_sum_overflows(const i128_t *one, const i128_t *other)
+{
+    i128_t i128;
+    i128_wrapping_add(one, other, &i128);
+    return (other->high < INT64_C(0))
+        != (i128.high < one->high || (i128.high == one->high && i128.low < one->low));
+}
+
+/** `a + b`; `None` if it overflows. */
+static inline void i128_checked_add(const i128_t *a, const i128_t *b, option_i128_t *result)
+{
+    if (i128_sum_overflows(a, b)) {
+        result->is_some = false;
+        result->value.high = INT64_C(0);
+        result->value.low = UINT64_C(0);
+    } else {
+        i128_t result_value;
+        i128_wrapping_add(a, b, &result_value);
+        result->is_some = true;
+        result->value = result_value;
+    }
+}
+
 /** The product of two words, from the products of their halves. */
 static inline void u128_product_of_words(uint64_t one, uint64_t other, u128_t *u128)
 {
@@ -2027,18 +2093,183 @@ static inline void u128_product_of_words(uint64_t one, uint64_t other, u128_t *u
     u128->low = (second << 32) | (least & U128_LOWER);
 }
 
-/** Moves the bits down, by `bits` modulo 128. */
-static inline void u128_wrapping_shr(const u128_t *number, uint32_t bits, u128_t *u128)
+/** The product of two words. */
+static inline void i128_product_of_words(int64_t one, int64_t other, i128_t *i128)
 {
-    const uint32_t within = bits & 0x3FU;
-    const uint64_t high = number->high >> within;
-    const uint64_t low = (number->low >> within) | (number->high << 1 << (63U - within));
-    if ((bits & 0x40U) == 0U) {
-        u128->high = high;
-        u128->low = low;
+    u128_t product;
+    u128_product_of_words((uint64_t)one, (uint64_t)other, &product);
+    const int64_t high = wrap_i64(product.high - u64_from_i64(shift_right_i64(one, 63U) & other));
+    i128->high = wrap_i64((uint64_t)high - u64_from_i64(shift_right_i64(other, 63U) & one));
+    i128->low = product.low;
+}
+
+/** The difference, wrapped to 128 bits. */
+static inline void i128_wrapping_sub(const i128_t *one, const i128_t *other, i128_t *i128)
+{
+    const int64_t borrow = (int64_t)(one->low < other->low);
+    i128->high = wrap_i64((uint64_t)one->high - (uint64_t)other->high - (uint64_t)borrow);
+    i128->low = one->low - other->low;
+}
+
+/** Returns true if the difference of two numbers needs more than 128 bits. */
+static inline bool i128_difference_overflows(const i128_t *one, const i128_t *other)
+{
+    i128_t i128;
+    i128_wrapping_sub(one, other, &i128);
+    return (other->high < INT64_C(0))
+        != (one->high < i128.high || (one->high == i128.high && one->low < i128.low));
+}
+
+/** `a - b`; `None` if it overflows. */
+static inline void i128_checked_sub(const i128_t *a, const i128_t *b, option_i128_t *result)
+{
+    if (i128_difference_overflows(a, b)) {
+        result->is_some = false;
+        result->value.high = INT64_C(0);
+        result->value.low = UINT64_C(0);
     } else {
-        u128->high = UINT64_C(0);
-        u128->low = high;
+        i128_t result_value;
+        i128_wrapping_sub(a, b, &result_value);
+        result->is_some = true;
+        result->value = result_value;
+    }
+}
+
+/** Returns true if the product of two numbers needs more than 128 bits. */
+static inline bool u128_product_overflows(const u128_t *one, const u128_t *other)
+{
+    if (one->high != UINT64_C(0) && other->high != UINT64_C(0)) {
+        return true;
+    }
+
+    /* At most one of these is not zero. */
+    u128_t first;
+    u128_product_of_words(one->high, other->low, &first);
+    u128_t second;
+    u128_product_of_words(one->low, other->high, &second);
+    const uint64_t crossed = first.low | second.low;
+    u128_t u128;
+    u128_product_of_words(one->low, other->low, &u128);
+    const uint64_t upper = u128.high;
+    return (first.high | second.high) != UINT64_C(0) || crossed + upper < crossed;
+}
+
+/** The product, wrapped to 128 bits. */
+static inline void u128_wrapping_mul(const u128_t *one, const u128_t *other, u128_t *u128)
+{
+    u128_t product;
+    u128_product_of_words(one->low, other->low, &product);
+    const uint64_t crossed = one->high * other->low + one->low * other->high;
+    u128->high = product.high + crossed;
+    u128->low = product.low;
+}
+
+/** `a * b`; `None` if it overflows. */
+static inline void u128_checked_mul(const u128_t *a, const u128_t *b, option_u128_t *result)
+{
+    if (u128_product_overflows(a, b)) {
+        result->is_some = false;
+        result->value.high = UINT64_C(0);
+        result->value.low = UINT64_C(0);
+    } else {
+        u128_t result_value;
+        u128_wrapping_mul(a, b, &result_value);
+        result->is_some = true;
+        result->value = result_value;
+    }
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool i128_equal(const i128_t *one, const i128_t *other)
+{
+    return one->high == other->high && one->low == other->low;
+}
+
+/** The difference, wrapped to 128 bits. */
+static inline void u128_wrapping_sub(const u128_t *one, const u128_t *other, u128_t *u128)
+{
+    const uint64_t borrow = (uint64_t)(one->low < other->low);
+    u128->high = one->high - other->high - borrow;
+    u128->low = one->low - other->low;
+}
+
+/** `a - b`; `None` if it overflows. */
+static inline void u128_checked_sub(const u128_t *a, const u128_t *b, option_u128_t *result)
+{
+    if (a->high < b->high || (a->high == b->high && a->low < b->low)) {
+        result->is_some = false;
+        result->value.high = UINT64_C(0);
+        result->value.low = UINT64_C(0);
+    } else {
+        u128_t result_value;
+        u128_wrapping_sub(a, b, &result_value);
+        result->is_some = true;
+        result->value = result_value;
+    }
+}
+
+/** The negative, wrapped to 128 bits. */
+static inline void i128_wrapping_neg(const i128_t *number, i128_t *i128)
+{
+    const int64_t borrow = (int64_t)(number->low != UINT64_C(0));
+    i128->high = wrap_i64((uint64_t)INT64_C(0) - (uint64_t)number->high - (uint64_t)borrow);
+    i128->low = UINT64_C(0) - number->low;
+}
+
+/** The magnitude. */
+static inline void i128_unsigned_abs(const i128_t *number, u128_t *u128)
+{
+    if (number->high < INT64_C(0)) {
+        i128_t number_2;
+        i128_wrapping_neg(number, &number_2);
+        u128->high = (uint64_t)number_2.high;
+        u128->low = number_2.low;
+    } else {
+        u128->high = (uint64_t)number->high;
+        u128->low = number->low;
+    }
+}
+
+/** Returns true if the product of two numbers needs more than 128 bits. */
+static inline bool i128_product_overflows(const i128_t *one, const i128_t *other)
+{
+    u128_t a;
+    i128_unsigned_abs(one, &a);
+    u128_t b;
+    i128_unsigned_abs(other, &b);
+    u128_t product;
+    u128_wrapping_mul(&a, &b, &product);
+
+    /* The least number has one more than the greatest. */
+    const bool least = (one->high < INT64_C(0)) != (other->high < INT64_C(0))
+        && product.high == (UINT64_C(1) << 63) && product.low == UINT64_C(0);
+    const bool result_product_overflows = u128_product_overflows(&a, &b);
+    return result_product_overflows || ((product.high >> 63) == UINT64_C(1) && !least);
+}
+
+/** The product, wrapped to 128 bits. */
+static inline void i128_wrapping_mul(const i128_t *one, const i128_t *other, i128_t *i128)
+{
+    const u128_t number_one = {.high = (uint64_t)one->high, .low = one->low};
+    const u128_t number_other = {.high = (uint64_t)other->high, .low = other->low};
+    u128_t number;
+    u128_wrapping_mul(&number_one, &number_other, &number);
+    i128->high = wrap_i64(number.high);
+    i128->low = number.low;
+}
+
+/** `a * b`; `None` if it overflows. */
+static inline void i128_checked_mul(const i128_t *a, const i128_t *b, option_i128_t *result)
+{
+    if (i128_product_overflows(a, b)) {
+        result->is_some = false;
+        result->value.high = INT64_C(0);
+        result->value.low = UINT64_C(0);
+    } else {
+        i128_t result_value;
+        i128_wrapping_mul(a, b, &result_value);
+        result->is_some = true;
+        result->value = result_value;
     }
 }
 
@@ -2080,22 +2311,111 @@ static inline void u128_wrapping_shl(const u128_t *number, uint32_t bits, u128_t
     }
 }
 
-/** The difference, wrapped to 128 bits. */
-static inline void u128_wrapping_sub(const u128_t *one, const u128_t *other, u128_t *u128)
+/** Moves the bits down, by `bits` modulo 128. */
+static inline void u128_wrapping_shr(const u128_t *number, uint32_t bits, u128_t *u128)
 {
-    const uint64_t borrow = (uint64_t)(one->low < other->low);
-    u128->high = one->high - other->high - borrow;
-    u128->low = one->low - other->low;
+    const uint32_t within = bits & 0x3FU;
+    const uint64_t high = number->high >> within;
+    const uint64_t low = (number->low >> within) | (number->high << 1 << (63U - within));
+    if ((bits & 0x40U) == 0U) {
+        u128->high = high;
+        u128->low = low;
+    } else {
+        u128->high = UINT64_C(0);
+        u128->low = high;
+    }
 }
 
-/** The product, wrapped to 128 bits. */
-static inline void u128_wrapping_mul(const u128_t *one, const u128_t *other, u128_t *u128)
+/** Moves the bits up; those that leave come in below. */
+static inline void u128_rotate_left(const u128_t *number, uint32_t bits, u128_t *u128)
 {
-    u128_t product;
-    u128_product_of_words(one->low, other->low, &product);
-    const uint64_t crossed = one->high * other->low + one->low * other->high;
-    u128->high = product.high + crossed;
-    u128->low = product.low;
+    u128_t below;
+    u128_wrapping_shr(number, 0U - bits, &below);
+    u128_t one;
+    u128_wrapping_shl(number, bits, &one);
+    u128->high = one.high | below.high;
+    u128->low = one.low | below.low;
+}
+
+/** Moves the bits down, by `bits` modulo 128; the sign stays. */
+static inline void i128_wrapping_shr(const i128_t *number, uint32_t bits, i128_t *i128)
+{
+    const uint32_t within = bits & 0x3FU;
+    const int64_t high = shift_right_i64(number->high, within);
+    const uint64_t low = (number->low >> within) | ((uint64_t)number->high << 1 << (63U - within));
+    if ((bits & 0x40U) == 0U) {
+        i128->high = high;
+        i128->low = low;
+    } else {
+        i128->high = shift_right_i64(number->high, 63U);
+        i128->low = (uint64_t)high;
+    }
+}
+
+/** Moves the bits up, by `bits` modulo 128. */
+static inline void i128_wrapping_shl(const i128_t *number, uint32_t bits, i128_t *i128)
+{
+    const u128_t number_value = {.high = (uint64_t)number->high, .low = number->low};
+    u128_t number_2;
+    u128_wrapping_shl(&number_value, bits, &number_2);
+    i128->high = wrap_i64(number_2.high);
+    i128->low = number_2.low;
+}
+
+/** Moves the bits up; those that leave come in below. */
+static inline void i128_rotate_left(const i128_t *number, uint32_t bits, i128_t *i128)
+{
+    const u128_t number_value = {.high = (uint64_t)number->high, .low = number->low};
+    u128_t number_2;
+    u128_wrapping_shr(&number_value, 0U - bits, &number_2);
+    const i128_t below = {.high = wrap_i64(number_2.high), .low = number_2.low};
+    i128_t one;
+    i128_wrapping_shl(number, bits, &one);
+    i128->high = one.high | below.high;
+    i128->low = one.low | below.low;
+}
+
+/** Moves the bits down; those that leave come in above. */
+static inline void i128_rotate_right(const i128_t *number, uint32_t bits, i128_t *i128)
+{
+    i128_rotate_left(number, 0U - bits, i128);
+}
+
+/** Number of zero bits above the highest 1. */
+static inline uint32_t u128_leading_zeros(const u128_t *number)
+{
+    if (number->high == UINT64_C(0)) {
+        return 64U + leading_zeros_u64(number->low);
+    } else {
+        return leading_zeros_u64(number->high);
+    }
+}
+
+/** Number of zero bits below the lowest 1. */
+static inline uint32_t i128_trailing_zeros(const i128_t *number)
+{
+    if (number->low == UINT64_C(0)) {
+        return 64U + trailing_zeros_u64((uint64_t)number->high);
+    } else {
+        return trailing_zeros_u64(number->low);
+    }
+}
+
+/** Number of zero bits above the highest 1. */
+static inline uint32_t i128_leading_zeros(const i128_t *number)
+{
+    if (number->high == INT64_C(0)) {
+        return 64U + leading_zeros_u64(number->low);
+    } else {
+        return leading_zeros_u64((uint64_t)number->high);
+    }
+}
+
+/** Number of one bits above the highest 0. */
+static inline uint32_t i128_leading_ones(const i128_t *number)
+{
+    const i128_t result_number = {.high = ~number->high, .low = ~number->low};
+    return i128_leading_zeros(&result_number);
 }
 
 /** The sum of two words. */
@@ -2106,40 +2426,93 @@ static inline void u128_sum_of_words(uint64_t one, uint64_t other, u128_t *u128)
     u128->low = low;
 }
 
-/** Returns true if the product of two numbers needs more than 128 bits. */
-static inline bool u128_product_overflows(const u128_t *one, const u128_t *other)
+/** The difference of two words. */
+static inline void i128_difference_of_words(int64_t one, int64_t other, i128_t *i128)
 {
-    if (one->high != UINT64_C(0) && other->high != UINT64_C(0)) {
-        return true;
+    const int64_t borrow = (int64_t)((uint64_t)one < (uint64_t)other);
+    i128->high = shift_right_i64(one, 63U) - shift_right_i64(other, 63U) - borrow;
+    i128->low = (uint64_t)one - (uint64_t)other;
+}
+
+/** The magnitude, wrapped to 128 bits. */
+static inline void i128_wrapping_abs(const i128_t *number, i128_t *i128)
+{
+    if (number->high < INT64_C(0)) {
+        i128_wrapping_neg(number, i128);
+    } else {
+        *i128 = *number;
     }
-
-    /* At most one of these is not zero. */
-    u128_t first;
-    u128_product_of_words(one->high, other->low, &first);
-    u128_t second;
-    u128_product_of_words(one->low, other->high, &second);
-    const uint64_t crossed = first.low | second.low;
-    u128_t u128;
-    u128_product_of_words(one->low, other->low, &u128);
-    const uint64_t upper = u128.high;
-    return (first.high | second.high) != UINT64_C(0) || crossed + upper < crossed;
 }
 
-/** The sum, wrapped to 128 bits. */
-static inline void u128_wrapping_add(const u128_t *one, const u128_t *other, u128_t *u128)
+/** The sign as -1, 0 or 1. */
+static inline void i128_signum(const i128_t *number, i128_t *i128)
 {
-    const uint64_t low = one->low + other->low;
-    const uint64_t carry = (uint64_t)(low < one->low);
-    u128->high = one->high + other->high + carry;
-    u128->low = low;
+    if (number->high < INT64_C(0)) {
+        i128->high = -INT64_C(1);
+        i128->low = I128_U64_MAX;
+    } else {
+        i128->high = INT64_C(0);
+        i128->low = (uint64_t)(number->high != INT64_C(0) || number->low != UINT64_C(0));
+    }
 }
 
-/** Returns true if the sum of two numbers needs more than 128 bits. */
-static inline bool u128_sum_overflows(const u128_t *one, const u128_t *other)
+/** The magnitude of the difference. */
+static inline void u128_abs_diff(const u128_t *one, const u128_t *other, u128_t *u128)
 {
-    u128_t u128;
-    u128_wrapping_add(one, other, &u128);
-    return u128.high < one->high || (u128.high == one->high && u128.low < one->low);
+    if (one->high < other->high || (one->high == other->high && one->low < other->low)) {
+        u128_wrapping_sub(other, one, u128);
+    } else {
+        u128_wrapping_sub(one, other, u128);
+    }
+}
+
+/** The greater of two; of equal ones the second. */
+static inline void comparison_greater_u128(const u128_t *one, const u128_t *other, u128_t *u128)
+{
+    if (other->high < one->high || (other->high == one->high && other->low < one->low)) {
+        *u128 = *one;
+    } else {
+        *u128 = *other;
+    }
+}
+
+/**
+ * The nearest value from `low` to `high`.
+ *
+ * # Panics
+ * Unless `low <= high`.
+ */
+static inline bessemer_status_t comparison_limited_i128(const i128_t *value, const i128_t *low,
+    const i128_t *high, i128_t *i128)
+{
+    if (low->high >= high->high && (low->high != high->high || low->low > high->low)) {
+        return BESSEMER_STATUS_CLAMP;
+    }
+    if (value->high < low->high || (value->high == low->high && value->low < low->low)) {
+        *i128 = *low;
+        return BESSEMER_STATUS_OK;
+    }
+    if (value->high > high->high || (value->high == high->high && value->low > high->low)) {
+        *i128 = *high;
+        return BESSEMER_STATUS_OK;
+    } else {
+        *i128 = *value;
+        return BESSEMER_STATUS_OK;
+    }
+}
+
+/**
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_u128(const u128_t *one, const u128_t *other)
+{
+    if (one->high < other->high || (one->high == other->high && one->low < other->low)) {
+        return ORDERING_LESS;
+    } else if (one->high == other->high && one->low == other->low) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
 }
 
 /** The lesser of two; of equal ones the first. */

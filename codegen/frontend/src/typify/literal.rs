@@ -101,6 +101,11 @@ pub(super) fn wide_integer(
     ty: &Type,
     site: Site,
 ) -> Result<Expr> {
+    // A pattern has its sign in the literal.
+    let (digits, negative) = match digits.strip_prefix('-') {
+        Some(digits) => (digits, !negative),
+        None => (digits, negative),
+    };
     let value = match digits.strip_prefix("0x") {
         Some(digits) => u128::from_str_radix(digits, 16),
         None => digits.parse::<u128>(),

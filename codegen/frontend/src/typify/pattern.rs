@@ -13,6 +13,7 @@ use bessemer_ir::{
 use super::closure_args::is_hidden;
 use super::conditions::within;
 use super::generic::Case;
+use super::literal::is_wide;
 use super::lowering::Lowering;
 use super::value::{Named, Value};
 use super::{Needed, Result, problem, refusals, refused};
@@ -124,8 +125,8 @@ impl Lowering<'_, '_> {
         Ok(all)
     }
 
-    /// Tests a literal or a range of floats, by `==` and `<=`.
-    fn test_float(&mut self, pattern: &Pattern, place: &Place) -> Result<Test> {
+    /// Tests a literal or a range of floats or of integers of 128 bits, by `==` and `<=`.
+    fn test_compared(&mut self, pattern: &Pattern, place: &Place) -> Result<Test> {
         let bounds = match pattern {
             Pattern::Range { from, to, inclusive } => {
                 let most = if *inclusive { CompareOp::Le } else { CompareOp::Lt };
@@ -137,8 +138,12 @@ impl Lowering<'_, '_> {
         let mut all = Test::default();
         for (op, number) in bounds {
             if let Some(number) = number {
+                let site = number.site;
                 let number = self.value(number, Some(&place.ty))?;
-                let test = Expr::compare(op, place.load(), number).at(place.span);
+                let test = match place.ty {
+                    Type::Struct(_) => self.compare_node(op, place.load(), number, site)?,
+                    _ => Expr::compare(op, place.load(), number).at(place.span),
+                };
                 all = all.with(Test::of(Some(test)));
             }
         }
@@ -183,12 +188,15 @@ impl Lowering<'_, '_> {
                 };
                 Ok(Test::of(tag).with(inner))
             }
+            (Pattern::Value(_) | Pattern::Range { .. }, ty) if is_wide(self.cx, ty) => {
+                self.test_compared(pattern, place)
+            }
             (Pattern::Value(value), Type::Struct(id)) => match self.unit_word(value, *id) {
                 Some(word) => Ok(Test::of(Some(self.tag_is(place, *id, word)))),
                 None => refused(value.site, refusals::CONSTANT_PATTERN),
             },
             (Pattern::Value(_) | Pattern::Range { .. }, Type::Scalar(Scalar::Float(_))) => {
-                self.test_float(pattern, place)
+                self.test_compared(pattern, place)
             }
             (Pattern::Value(_) | Pattern::Range { .. } | Pattern::Constructor(..), ty)
                 if ty.is_word() =>

@@ -85,7 +85,6 @@ pub fn instead(ty: &str) -> Option<&'static str> {
         "RangeFrom" | "RangeTo" | "RangeToInclusive" | "RangeFull" => {
             "store both ends, `RangeInclusive<f32>` or `Range<u16>`, or one number"
         }
-        "i128" => "write `i64`, or `u128` for the magnitude",
         "DMatrix" | "DVector" | "Dyn" => {
             "write `SMatrix<f64, R, C>` or `SVector<f64, N>`; for a varying size, `BoundedMatrix<f64, R, C>`"
         }

@@ -48,19 +48,17 @@ bessemer_status_t wide_integers_energy(const int32_t samples[4], u128_t *BESSEME
             .high = UINT64_C(0),
             .low = (uint64_t)unsigned_abs_i32(samples[i])
         };
-        const bool overflows = u128_product_overflows(&magnitude, &magnitude);
-        if (overflows) {
+        option_u128_t product;
+        u128_checked_mul(&magnitude, &magnitude, &product);
+        if (!product.is_some) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        u128_t other;
-        u128_wrapping_mul(&magnitude, &magnitude, &other);
-        const bool overflows_2 = u128_sum_overflows(&sum_value, &other);
-        if (overflows_2) {
+        option_u128_t sum_value_2;
+        u128_checked_add(&sum_value, &product.value, &sum_value_2);
+        if (!sum_value_2.is_some) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        u128_t sum_next;
-        u128_wrapping_add(&sum_value, &other, &sum_next);
-        sum_value = sum_next;
+        sum_value = sum_value_2.value;
     }
     *sum = sum_value;
     return BESSEMER_STATUS_OK;
@@ -69,36 +67,35 @@ bessemer_status_t wide_integers_energy(const int32_t samples[4], u128_t *BESSEME
 bessemer_status_t wide_integers_arithmetic(const u128_t *a, const u128_t *b, uint8_t bits,
     u128_t *BESSEMER_RESTRICT u128)
 {
-    const u128_t overflows_other = {.high = UINT64_C(0), .low = UINT64_C(3)};
-    const bool overflows = u128_product_overflows(a, &overflows_other);
-    if (overflows) {
+    const u128_t product_b = {.high = UINT64_C(0), .low = UINT64_C(3)};
+    option_u128_t product;
+    u128_checked_mul(a, &product_b, &product);
+    if (!product.is_some) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    const u128_t one_other = {.high = UINT64_C(0), .low = UINT64_C(3)};
-    u128_t one;
-    u128_wrapping_mul(a, &one_other, &one);
-    const bool overflows_2 = u128_sum_overflows(&one, b);
-    if (overflows_2) {
+    option_u128_t sum;
+    u128_checked_add(&product.value, b, &sum);
+    if (!sum.is_some) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    u128_t sum;
-    u128_wrapping_add(&one, b, &sum);
+    const u128_t sum_2 = sum.value;
     const u128_t divisor = {.high = b->high | UINT64_C(0), .low = b->low | UINT64_C(1)};
     if (divisor.high == UINT64_C(0) && divisor.low == UINT64_C(0)) {
         return BESSEMER_STATUS_DIVISION_BY_ZERO;
     }
-    u128_t one_2;
-    u128_remainder(&sum, &divisor, &one_2);
-    const u128_t other_divisor = {.high = UINT64_C(0), .low = UINT64_C(7)};
-    u128_t other_number;
-    u128_quotient(&sum, &other_divisor, &other_number);
-    u128_t other;
-    u128_wrapping_shr(&other_number, 1U, &other);
-    if (one_2.high < other.high || (one_2.high == other.high && one_2.low < other.low)) {
+    u128_t difference_a;
+    u128_remainder(&sum_2, &divisor, &difference_a);
+    const u128_t difference_divisor = {.high = UINT64_C(0), .low = UINT64_C(7)};
+    u128_t difference_number;
+    u128_quotient(&sum_2, &difference_divisor, &difference_number);
+    u128_t difference_b;
+    u128_wrapping_shr(&difference_number, 1U, &difference_b);
+    option_u128_t difference;
+    u128_checked_sub(&difference_a, &difference_b, &difference);
+    if (!difference.is_some) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    u128_t rest;
-    u128_wrapping_sub(&one_2, &other, &rest);
+    const u128_t rest = difference.value;
     if ((uint64_t)bits > UINT64_C(127)) {
         return BESSEMER_STATUS_SHIFT;
     }
@@ -144,4 +141,22 @@ uint32_t wide_integers_class(const u128_t *a, const u128_t *b)
             return 3U;
         }
     }
+}
+
+bessemer_status_t wide_integers_scaled(int64_t a, int64_t b, int64_t *result)
+{
+    i128_t sum_a;
+    i128_product_of_words(a, b, &sum_a);
+    const i128_t sum_number = {.high = INT64_C(0), .low = UINT64_C(1)};
+    i128_t sum_b;
+    i128_wrapping_shl(&sum_number, 30U, &sum_b);
+    option_i128_t sum;
+    i128_checked_add(&sum_a, &sum_b, &sum);
+    if (!sum.is_some) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    i128_t number;
+    i128_wrapping_shr(&sum.value, 31U, &number);
+    *result = wrap_i64(number.low);
+    return BESSEMER_STATUS_OK;
 }

@@ -60,3 +60,9 @@ pub fn class(a: u128, b: u128) -> u32 {
         3
     }
 }
+
+/// The product of two fixed-point numbers of 31 fractional bits, rounded to the nearest.
+#[function]
+pub fn scaled(a: i64, b: i64) -> i64 {
+    ((a as i128 * b as i128 + (1 << 30)) >> 31) as i64
+}
