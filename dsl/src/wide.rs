@@ -6,4 +6,6 @@
 
 pub mod i128;
 mod methods;
+// `!(rest < tried)` is the condition as the C has it, and holds for a NaN.
+#[allow(clippy::neg_cmp_op_on_partial_ord)]
 pub mod u128;

@@ -59,7 +59,7 @@ pub fn write(cases: &[Case], folder: &Path, tuning: Tuning) -> Result<Vec<PathBu
     // Code of headers is compiled with its callers, and once alone to measure its size.
     sources.retain(|source| !source.ends_with("product.c"));
     for kernel in known.iter().flat_map(|(_, kernels)| kernels) {
-        if kernel.is_function() && kernels::stands_in_header(kernel) {
+        if kernel.is_function() && kernels::is_in_header(kernel) {
             sources.push(put(folder, &format!("{}.c", kernel.name()), &alone(kernel))?);
         }
     }
@@ -141,7 +141,7 @@ fn copied(known: &[(Case, Vec<Kernel>)]) -> String {
                 case = case.name()
             ),
             // What compilers put at its place needs no copy: as a model, it gives the result if there is one.
-            Routine::Inverse if kernels::stands_in_header(kernel) => writeln!(
+            Routine::Inverse if kernels::is_in_header(kernel) => writeln!(
                 before,
                 "static void copy_{case}(const {real} *a, {real} *x)\n{{\n    {real} inverse[{count}];\n    \
                  memcpy(inverse, a, sizeof inverse);\n    if ({name}(inverse)) {{\n        \

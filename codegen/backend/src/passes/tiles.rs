@@ -135,7 +135,7 @@ impl Tiles<'_> {
         let (ty, span) = (inner.to.ty.clone(), terms.span);
         let k = self.local(inner.variable, ty.clone());
         let passes = self.number(inner.to).unwrap_or_default();
-        let whole = |part: &u64| passes % part == 0 && passes > *part;
+        let whole = |part: &u64| passes.is_multiple_of(*part) && passes > *part;
         let Some(count) = PARTS.into_iter().find(whole) else {
             let now = Expr::local(k, &ty, span);
             Put { variable: inner.variable, now, sum: None }.stmt(&mut terms);

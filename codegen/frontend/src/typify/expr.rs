@@ -210,6 +210,9 @@ impl Lowering<'_, '_> {
             (tree::UnaryOp::Not, Type::Scalar(_)) => {
                 Ok(Expr::unary(UnaryOp::Not, operand).at(span))
             }
+            (tree::UnaryOp::Not, _) if literal::is_wide(self.cx, &ty) => {
+                literal::inverted(self, operand, site)
+            }
             _ => problem(site, "no marked operator is defined for this type", OPERATOR),
         }
     }

@@ -2,7 +2,7 @@
 //! variants, defaults.
 
 use bessemer_ir::tree::{self, BinaryOp, Builtin, MatrixMethod, Site};
-use bessemer_ir::{Expr, ExprKind, Float, Scalar, Type};
+use bessemer_ir::{Expr, ExprKind, Float, Scalar, Type, UnaryOp};
 
 use super::lowering::Lowering;
 use super::value::Value;
@@ -121,6 +121,16 @@ pub(super) fn wide_integer(
     let parts = fields.iter().zip(words);
     let parts = parts.map(|(field, word)| Expr::literal(word, field.ty.clone(), span));
     lowering.node(ExprKind::Struct(parts.collect()), ty.clone(), site)
+}
+
+/// Lowers `!` of an integer literal of 128 bits. Of other values it is a function of the library.
+pub(super) fn inverted(lowering: &mut Lowering<'_, '_>, literal: Expr, site: Site) -> Result<Expr> {
+    let ExprKind::Struct(parts) = literal.kind else {
+        return problem(site, "`!` of this value has no function", OUR_FAULT);
+    };
+    let invert = |part: Expr| Expr::unary(UnaryOp::Not, part);
+    let kind = ExprKind::Struct(parts.into_iter().map(invert).collect());
+    lowering.node(kind, literal.ty, site)
 }
 
 /// Returns the literal that `base.name` is, if `base` is the name of a struct of literals.

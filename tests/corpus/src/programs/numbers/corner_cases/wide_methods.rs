@@ -41,7 +41,7 @@ pub fn wrapped(a: u128, c: i128, bits: u32) -> (u128, u128, i128, i128) {
     (
         a.wrapping_mul(a).wrapping_add(0x1234_5678_9ABC_DEF0_1234_5678_9ABC_DEF0),
         a.wrapping_shl(bits).rotate_left(bits ^ 5),
-        c.wrapping_neg().wrapping_shr(bits),
+        c.wrapping_neg().wrapping_shr(bits) & !2,
         c.wrapping_pow(bits & 7).rotate_right(bits),
     )
 }
