@@ -403,7 +403,11 @@ fn attack(workspace: &Workspace, seed: u64, batch: &mut Batch) -> Reached {
     let Built { native, places, compiled, kept } = built(workspace, batch);
     let cases = legs::cases(&batch.left(), &native, &places, &compiled);
     let refused: Vec<_> = batch.refused.values().chain(batch.mistaken.values()).collect();
-    assert!(!cases.is_empty(), "nothing was compiled: {refused:?}");
+    assert!(!cases.is_empty() || batch.is_small(), "nothing was compiled: {refused:?}");
+    if cases.is_empty() {
+        // Of a few small bodies all may be refused.
+        return Reached { refused: refused.len(), ..Reached::default() };
+    }
     assert_eq!(cases.len(), batch.left().len(), "each program was compiled");
     let mut all = interpreted("interpreter", &compiled.module, &cases);
     all.extend(batch.internal());
