@@ -4,7 +4,7 @@
 //! built, and only if the same were not built before. The generated files must not depend on its path.
 
 use std::collections::BTreeMap;
-use std::fs;
+use std::fs::{self, File};
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 
@@ -112,6 +112,16 @@ impl Workspace {
         let config = format!("[build]\ntarget-dir = \"{}\"\n", target.display());
         fs::write(workspace.path(".cargo/config.toml"), config)?;
         Ok(workspace)
+    }
+
+    /// Waits until no other run builds into the target folder or links from it, and keeps others out until the result is
+    /// dropped. Packages of one name and relative path have one library there, so whoever calls cargo directly needs it.
+    ///
+    /// # Errors
+    /// An error of the file system.
+    pub fn alone(&self) -> std::io::Result<File> {
+        let file = File::create(root().join("target/.bessemer-lock"))?;
+        file.lock().map(|()| file)
     }
 
     /// Returns the folder of its package.

@@ -64,6 +64,7 @@ fn each_refusal_is_in_a_snapshot() {
 
 /// Returns rustc's errors for each program that does not compile.
 fn told(workspace: &Workspace) -> BTreeMap<String, String> {
+    let _alone = workspace.alone().expect("the target folder");
     let output = Command::new(env!("CARGO"))
         .args(["build", "--bins", "--keep-going", "--message-format=json"])
         .current_dir(workspace.path(""))

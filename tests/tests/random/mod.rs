@@ -405,7 +405,7 @@ fn attack(workspace: &Workspace, seed: u64, batch: &mut Batch) -> Reached {
     let refused: Vec<_> = batch.refused.values().chain(batch.mistaken.values()).collect();
     assert!(!cases.is_empty() || batch.is_small(), "nothing was compiled: {refused:?}");
     if cases.is_empty() {
-        // Of a few small bodies all may be refused.
+        // A small batch may contain refused bodies only.
         return Reached { refused: refused.len(), ..Reached::default() };
     }
     assert_eq!(cases.len(), batch.left().len(), "each program was compiled");

@@ -272,7 +272,7 @@ impl Writer<'_> {
             };
             let function = &module.functions[id.index()];
             let signature = names.signature(id);
-            // What called it may be decided without it.
+            // The branch that calls it may have been removed.
             let is_own = matches!(signature.storage, Storage::Static | Storage::OwnInline);
             if is_own && !uses.called.contains(&id) {
                 continue;

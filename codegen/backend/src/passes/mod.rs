@@ -11,10 +11,10 @@
 //!   operation without a proof;
 //! * **F4** the bounds of a loop do not change while it runs, unless its body ends it.
 //!
-//! The meaning is preserved: equal results, and the same fault first. There is no optimisation: no constant folding,
-//! no renaming of the author's locals; and explicit code is unchanged. Passes of an outer loop that
-//! share their loads run side by side, each number in its own order ([`tiles`]); nothing else is reordered. Part of a condition that no
-//! execution decides otherwise is left out ([`decided`]).
+//! The meaning is preserved: equal results, and the same fault first. There is no constant folding, and no renaming
+//! of the author's locals. One optimisation is here, so that interpreter and proofs see it: passes of an outer loop that
+//! share their loads run side by side, each number in its own order ([`tiles`]). Nothing else is reordered. The part of a
+//! condition that no execution decides otherwise is left out ([`decided`]).
 
 mod analysis;
 mod callees;

@@ -20,7 +20,7 @@ impl Writer<'_> {
         let (module, names) = (self.context.module, self.context.names);
         let mut items = Vec::new();
         for (id, name) in names.copied(callers.into_iter()) {
-            // What called it may be decided without it.
+            // The branch that calls it may have been removed.
             if !uses.called.contains(&id) {
                 continue;
             }

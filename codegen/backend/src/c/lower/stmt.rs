@@ -289,7 +289,7 @@ impl Lower<'_> {
         let root = place.root.index();
         let mentioned = self.mentioned[root];
         let dest = self.place(place);
-        let is_local = place.steps.is_empty() && matches!(dest, Expr::Name(_));
+        let is_local = is_own(&dest);
         if self.counter(place).is_some() {
             let value = self.size(value);
             self.assign(dest, value);
@@ -297,7 +297,7 @@ impl Lower<'_> {
             self.store(dest, Some(place), value);
         }
         if is_local {
-            // What is only set is not used, also where it is set to more of itself.
+            // A C compiler does not count a store as a use, nor one to a part.
             self.mentioned[root] = mentioned;
         }
     }
@@ -505,4 +505,15 @@ fn breaks(block: &Block) -> bool {
         }
         _ => false,
     })
+}
+
+/// Returns true if a place is in the memory of a variable itself, behind no pointer. An index counts only behind a field:
+/// the name of an array may be that of a pointer.
+fn is_own(place: &Expr) -> bool {
+    match place {
+        Expr::Name(_) => true,
+        Expr::Member(of, _) => is_own(of),
+        Expr::Index(of, _) => matches!(**of, Expr::Member(..) | Expr::Index(..)) && is_own(of),
+        _ => false,
+    }
 }

@@ -1,6 +1,6 @@
 //! Handles locals that the C does not read, because types decide a comparison or only a removed check needed them.
 //!
-//! `(void)name;` follows the declaration of such a local. A local that only copies a place which is read elsewhere,
+//! `(void)name;` follows the declaration of such a local, or its last store if it is declared without a value. A local that only copies a place which is read elsewhere,
 //! or a list of literals, is removed. Any other value remains, since it may contain a call.
 
 use crate::c::mentions::{names, of_statement};
@@ -14,17 +14,22 @@ pub(super) fn quiet(body: &mut Vec<Stmt>, names: &[String]) {
     while drop_copy(body, &body.clone()) {}
 }
 
-fn say(body: &mut Vec<Stmt>, names: &[String]) {
+fn say(body: &mut Vec<Stmt>, unread: &[String]) {
     let mut index = 0;
     while index < body.len() {
-        if let StmtKind::Declare(declarator, _) = &body[index].kind
-            && names.contains(&declarator.name)
+        if let StmtKind::Declare(declarator, init) = &body[index].kind
+            && unread.contains(&declarator.name)
         {
+            // Before its stores a variable has no value that may be read.
+            let stored = |at: &usize| names(&body[*at..=*at], &declarator.name);
+            let after = match init {
+                Some(_) => index,
+                None => (index + 1..body.len()).rev().find(stored).unwrap_or(index),
+            };
             let name = Expr::name(&declarator.name);
-            index += 1;
-            body.insert(index, plain(StmtKind::Expr(Expr::cast("void", name))));
+            body.insert(after + 1, plain(StmtKind::Expr(Expr::cast("void", name))));
         }
-        body[index].kind.blocks_mut().into_iter().for_each(|block| say(block, names));
+        body[index].kind.blocks_mut().into_iter().for_each(|block| say(block, unread));
         index += 1;
     }
 }
