@@ -72,9 +72,8 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
     double kept[9];
     for (uint32_t column = 0U; column < 3U; column++) {
         BESSEMER_FEW_PASSES
-        for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
-            kept[row_2 + 3U * column] = kept_matrix[row_2 + 3U * column]
-                - gain[row_2] * row[column];
+        for (uint32_t i = 0U; i < 3U; i++) {
+            kept[i + 3U * column] = kept_matrix[i + 3U * column] - gain[i] * row[column];
         }
     }
     double result_product[9];
@@ -84,9 +83,9 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
     double result_matrix[9];
     for (uint32_t column = 0U; column < 3U; column++) {
         BESSEMER_FEW_PASSES
-        for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
-            result_matrix[row_2 + 3U * column] = result_product_2[row_2 + 3U * column]
-                + gain[row_2] * gain[column] * variance;
+        for (uint32_t i = 0U; i < 3U; i++) {
+            result_matrix[i + 3U * column] = result_product_2[i + 3U * column]
+                + gain[i] * gain[column] * variance;
         }
     }
     covariance_symmetric_3(result_matrix, result);
@@ -98,9 +97,8 @@ void covariance_corrected_6(const double covariance[36], const double row[6], co
     double *const kept = work;
     for (uint32_t column = 0U; column < 6U; column++) {
         BESSEMER_FEW_PASSES
-        for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-            kept[row_2 + 6U * column] = BESSEMER_IDENTITY_6[row_2 + 6U * column]
-                - gain[row_2] * row[column];
+        for (uint32_t i = 0U; i < 6U; i++) {
+            kept[i + 6U * column] = BESSEMER_IDENTITY_6[i + 6U * column] - gain[i] * row[column];
         }
     }
     double *const result_product = &work[36];
@@ -110,9 +108,9 @@ void covariance_corrected_6(const double covariance[36], const double row[6], co
     double *const result_matrix = work;
     for (uint32_t column = 0U; column < 6U; column++) {
         BESSEMER_FEW_PASSES
-        for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-            result_matrix[row_2 + 6U * column] = result_product_2[row_2 + 6U * column]
-                + gain[row_2] * gain[column] * variance;
+        for (uint32_t i = 0U; i < 6U; i++) {
+            result_matrix[i + 6U * column] = result_product_2[i + 6U * column]
+                + gain[i] * gain[column] * variance;
         }
     }
     covariance_symmetric_6(result_matrix, result);

@@ -242,7 +242,7 @@ void onboard_signals(const outputs_t *outputs, double all[BESSEMER_RESTRICT LOGG
         all[44U + n] = outputs->reference.target.velocity[n];
     }
     all[15] = outputs->reference.target.yaw;
-    all[16] = (double)(uint8_t)outputs->reference.phase;
+    all[16] = (double)outputs->reference.phase;
     all[17] = outputs->reference.time;
     for (uint32_t n = 0U; n < 8U; n++) {
         all[18U + n] = outputs->command.closed_loop[n];
@@ -250,7 +250,7 @@ void onboard_signals(const outputs_t *outputs, double all[BESSEMER_RESTRICT LOGG
         all[36U + n] = outputs->command.motors[n];
     }
     all[34] = outputs->gain;
-    all[35] = (double)(uint8_t)outputs->alarm;
+    all[35] = (double)outputs->alarm;
     all[47] = outputs->ages.inertial;
     all[48] = outputs->ages.vicon;
     all[49] = outputs->ages.height;

@@ -46,7 +46,7 @@ void tuning_values(const settings_t *settings,
     result[16] = settings->injection.friction;
     result[17] = settings->course.landing_rate;
     result[18] = settings->parameters.takeoff_gain;
-    result[19] = (double)(uint8_t)settings->parameters.candidate;
+    result[19] = (double)settings->parameters.candidate;
 }
 
 double settings_parameter(const settings_t *self, uint8_t number)

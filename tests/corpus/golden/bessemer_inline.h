@@ -231,28 +231,27 @@ static inline bessemer_status_t own_equalities_pair_equal(const own_equalities_p
     const own_equalities_pair_t *other, bool *result)
 {
     bessemer_status_t status;
-    bool all_equal = false;
-    bool all_holds;
-    status = own_equalities_ratio_eq(&one->one, &other->one, &all_holds);
+    bool eq;
+    status = own_equalities_ratio_eq(&one->one, &other->one, &eq);
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 2U; i++) {
-            bool eq;
-            status = own_equalities_ratio_eq(&one->two[i], &other->two[i], &eq);
-            if (status != BESSEMER_STATUS_OK) {
-                return status;
-            }
-            if (!eq) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (!eq) {
+        *result = false;
+        return BESSEMER_STATUS_OK;
     }
-    *result = all_holds;
+    for (uint32_t i = 0U; i < 2U; i++) {
+        bool eq_2;
+        status = own_equalities_ratio_eq(&one->two[i], &other->two[i], &eq_2);
+        if (status != BESSEMER_STATUS_OK) {
+            return status;
+        }
+        if (!eq_2) {
+            *result = false;
+            return BESSEMER_STATUS_OK;
+        }
+    }
+    *result = true;
     return BESSEMER_STATUS_OK;
 }
 
@@ -279,28 +278,27 @@ static inline bessemer_status_t pair_own_equalities_ratio_own_equalities_ratiox2
     const pair_own_equalities_ratio_own_equalities_ratiox2_t *other, bool *result)
 {
     bessemer_status_t status;
-    bool all_equal = false;
-    bool all_holds;
-    status = own_equalities_ratio_eq(&one->first, &other->first, &all_holds);
+    bool eq;
+    status = own_equalities_ratio_eq(&one->first, &other->first, &eq);
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 2U; i++) {
-            bool eq;
-            status = own_equalities_ratio_eq(&one->second[i], &other->second[i], &eq);
-            if (status != BESSEMER_STATUS_OK) {
-                return status;
-            }
-            if (!eq) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (!eq) {
+        *result = false;
+        return BESSEMER_STATUS_OK;
     }
-    *result = all_holds;
+    for (uint32_t i = 0U; i < 2U; i++) {
+        bool eq_2;
+        status = own_equalities_ratio_eq(&one->second[i], &other->second[i], &eq_2);
+        if (status != BESSEMER_STATUS_OK) {
+            return status;
+        }
+        if (!eq_2) {
+            *result = false;
+            return BESSEMER_STATUS_OK;
+        }
+    }
+    *result = true;
     return BESSEMER_STATUS_OK;
 }
 
@@ -377,74 +375,38 @@ static inline bool programs_data_corner_cases_defaults_gain_equal(
 /** Whether the two are equal, part by part. */
 static inline bool set_equal(const set_t *one, const set_t *other)
 {
-    bool all_equal = true;
     for (uint32_t i = 0U; i < 3U; i++) {
-        bool all_equal_2 = true;
-        for (uint32_t i_2 = 0U; i_2 < 2U; i_2++) {
-            if (!programs_data_corner_cases_defaults_gain_equal(&one->gains[i][i_2],
-                    &other->gains[i][i_2])) {
-                all_equal_2 = false;
-                break;
+        for (uint32_t j = 0U; j < 2U; j++) {
+            if (!programs_data_corner_cases_defaults_gain_equal(&one->gains[i][j],
+                    &other->gains[i][j])) {
+                return false;
             }
-        }
-        if (!all_equal_2) {
-            all_equal = false;
-            break;
         }
     }
-    bool all_equal_2 = false;
-    bool all_holds = all_equal;
-    if (all_holds) {
-        all_equal_2 = true;
-        for (uint32_t i = 0U; i < 3U; i++) {
-            bool all_equal_3 = true;
-            for (uint32_t i_2 = 0U; i_2 < 3U; i_2++) {
-                if (one->offsets[i_2 + 3U * i] != other->offsets[i_2 + 3U * i]) {
-                    all_equal_3 = false;
-                    break;
-                }
-            }
-            if (!all_equal_3) {
-                all_equal_2 = false;
-                break;
+    for (uint32_t column = 0U; column < 3U; column++) {
+        for (uint32_t row = 0U; row < 3U; row++) {
+            if (one->offsets[row + 3U * column] != other->offsets[row + 3U * column]) {
+                return false;
             }
         }
-        all_holds = all_equal_2;
     }
-    bool all_equal_3 = false;
-    bool all_holds_2 = all_holds && (one->scale[0] == other->scale[0]
-        && one->scale[1] == other->scale[1]);
-    if (all_holds_2) {
-        all_equal_3 = true;
-        for (uint32_t i = 0U; i < 6U; i++) {
-            if (one->name[i] != other->name[i]) {
-                all_equal_3 = false;
-                break;
+    if (!(one->scale[0] == other->scale[0] && one->scale[1] == other->scale[1])) {
+        return false;
+    }
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (one->name[i] != other->name[i]) {
+            return false;
+        }
+    }
+    for (uint32_t i = 0U; i < 2U; i++) {
+        for (uint32_t j = 0U; j < 2U; j++) {
+            if (!(one->cells[i][j][0] == other->cells[i][j][0]
+                    && one->cells[i][j][1] == other->cells[i][j][1])) {
+                return false;
             }
         }
-        all_holds_2 = all_equal_3;
     }
-    bool all_equal_4 = false;
-    bool all_holds_3 = all_holds_2;
-    if (all_holds_3) {
-        all_equal_4 = true;
-        for (uint32_t i = 0U; i < 2U; i++) {
-            bool all_equal_5 = true;
-            for (uint32_t i_2 = 0U; i_2 < 2U; i_2++) {
-                if (!(one->cells[i][i_2][0] == other->cells[i][i_2][0]
-                        && one->cells[i][i_2][1] == other->cells[i][i_2][1])) {
-                    all_equal_5 = false;
-                    break;
-                }
-            }
-            if (!all_equal_5) {
-                all_equal_4 = false;
-                break;
-            }
-        }
-        all_holds_3 = all_equal_4;
-    }
-    return all_holds_3;
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
@@ -481,22 +443,18 @@ static inline bool enums_reading_equal(const enums_reading_t *one, const enums_r
 /** Whether the two are equal, part by part. */
 static inline bool list3_u8_equal(const list3_u8_t *one, const list3_u8_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        {
-            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
-            for (uint32_t i = 0U; i < end; i++) {
-                if (one->items[i] != other->items[i]) {
-                    all_equal = false;
-                    break;
-                }
+    if (one->length != other->length) {
+        return false;
+    }
+    {
+        const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
+        for (uint32_t i = 0U; i < end; i++) {
+            if (one->items[i] != other->items[i]) {
+                return false;
             }
         }
-        all_holds = all_equal;
     }
-    return all_holds;
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
@@ -510,22 +468,18 @@ static inline bool programs_data_corner_cases_lists_mark_equal(
 /** Whether the two are equal, part by part. */
 static inline bool list2_u8_equal(const list2_u8_t *one, const list2_u8_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        {
-            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(2));
-            for (uint32_t i = 0U; i < end; i++) {
-                if (one->items[i] != other->items[i]) {
-                    all_equal = false;
-                    break;
-                }
+    if (one->length != other->length) {
+        return false;
+    }
+    {
+        const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(2));
+        for (uint32_t i = 0U; i < end; i++) {
+            if (one->items[i] != other->items[i]) {
+                return false;
             }
         }
-        all_holds = all_equal;
     }
-    return all_holds;
+    return true;
 }
 
 /** The greater of two; of equal ones the second. */
@@ -759,19 +713,15 @@ static inline bool comparison_is_unequal(ordering_t order)
 /** Whether the two are equal, part by part. */
 static inline bool text_6_equal(const text_6_t *one, const text_6_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 6U; i++) {
-            if (one->bytes[i] != other->bytes[i]) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (one->length != other->length) {
+        return false;
     }
-    return all_holds;
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (one->bytes[i] != other->bytes[i]) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
@@ -820,19 +770,15 @@ static inline bool programs_data_corner_cases_tuples_holder_equal(
     const programs_data_corner_cases_tuples_holder_t *one,
     const programs_data_corner_cases_tuples_holder_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = pair_f64_bool_equal(&one->pair, &other->pair);
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 3U; i++) {
-            if (!pair_u8_i16_equal(&one->pairs[i], &other->pairs[i])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (!pair_f64_bool_equal(&one->pair, &other->pair)) {
+        return false;
     }
-    return all_holds && pair_pair_u8_bool_tuples_metres_equal(&one->nested, &other->nested);
+    for (uint32_t i = 0U; i < 3U; i++) {
+        if (!pair_u8_i16_equal(&one->pairs[i], &other->pairs[i])) {
+            return false;
+        }
+    }
+    return pair_pair_u8_bool_tuples_metres_equal(&one->nested, &other->nested);
 }
 
 /** Whether the two are equal, part by part. */
@@ -1027,14 +973,12 @@ static inline bool unit_quaternion_f64_equal(const unit_quaternion_f64_t *one,
 /** Whether the two are equal, part by part. */
 static inline bool route_equal(const route_t *one, const route_t *other)
 {
-    bool all_equal = true;
     for (uint32_t i = 0U; i < 3U; i++) {
         if (!route_point_equal(&one->points[i], &other->points[i])) {
-            all_equal = false;
-            break;
+            return false;
         }
     }
-    return all_equal && option_route_point_equal(&one->home, &other->home)
+    return option_route_point_equal(&one->home, &other->home)
         && unit_quaternion_f64_equal(&one->turned, &other->turned);
 }
 
@@ -1042,22 +986,18 @@ static inline bool route_equal(const route_t *one, const route_t *other)
 static inline bool list3_axis_wish_equal(const list3_axis_wish_t *one,
     const list3_axis_wish_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        {
-            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
-            for (uint32_t i = 0U; i < end; i++) {
-                if (!axis_wish_equal(&one->items[i], &other->items[i])) {
-                    all_equal = false;
-                    break;
-                }
+    if (one->length != other->length) {
+        return false;
+    }
+    {
+        const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
+        for (uint32_t i = 0U; i < end; i++) {
+            if (!axis_wish_equal(&one->items[i], &other->items[i])) {
+                return false;
             }
         }
-        all_holds = all_equal;
     }
-    return all_holds;
+    return true;
 }
 
 /**
@@ -1083,19 +1023,15 @@ static inline bool option_lever_equal(const option_lever_t *one, const option_le
 /** Whether the two are equal, part by part. */
 static inline bool heading_equal(const heading_t *one, const heading_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = bearing_eq(&one->to, &other->to) && lever_eq(one->lever, other->lever);
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 2U; i++) {
-            if (!bearing_eq(&one->turns[i], &other->turns[i])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (!(bearing_eq(&one->to, &other->to) && lever_eq(one->lever, other->lever))) {
+        return false;
     }
-    return all_holds && option_lever_equal(&one->next, &other->next);
+    for (uint32_t i = 0U; i < 2U; i++) {
+        if (!bearing_eq(&one->turns[i], &other->turns[i])) {
+            return false;
+        }
+    }
+    return option_lever_equal(&one->next, &other->next);
 }
 
 /**
@@ -1274,28 +1210,19 @@ static inline bool triple_vector3_f64_matrix1x2_f32_matrix2x2_f64_equal(
     const triple_vector3_f64_matrix1x2_f32_matrix2x2_f64_t *one,
     const triple_vector3_f64_matrix1x2_f32_matrix2x2_f64_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->first[0] == other->first[0] && one->first[1] == other->first[1]
-        && one->first[2] == other->first[2]
-        && (one->second[0] == other->second[0] && one->second[1] == other->second[1]);
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 2U; i++) {
-            bool all_equal_2 = true;
-            for (uint32_t i_2 = 0U; i_2 < 2U; i_2++) {
-                if (one->third[i_2 + 2U * i] != other->third[i_2 + 2U * i]) {
-                    all_equal_2 = false;
-                    break;
-                }
-            }
-            if (!all_equal_2) {
-                all_equal = false;
-                break;
+    if (!(one->first[0] == other->first[0] && one->first[1] == other->first[1]
+            && one->first[2] == other->first[2]
+            && (one->second[0] == other->second[0] && one->second[1] == other->second[1]))) {
+        return false;
+    }
+    for (uint32_t column = 0U; column < 2U; column++) {
+        for (uint32_t row = 0U; row < 2U; row++) {
+            if (one->third[row + 2U * column] != other->third[row + 2U * column]) {
+                return false;
             }
         }
-        all_holds = all_equal;
     }
-    return all_holds;
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
@@ -1329,33 +1256,27 @@ static inline bool of_arrays_of_structs_sample_equal(const of_arrays_of_structs_
 static inline bool bounded_matrix_f64_2_2_equal(const bounded_matrix_f64_2_2_t *one,
     const bounded_matrix_f64_2_2_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->rows == other->rows && one->columns == other->columns;
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 2U; i++) {
-            if (!(one->elements[i][0] == other->elements[i][0]
-                    && one->elements[i][1] == other->elements[i][1])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (!(one->rows == other->rows && one->columns == other->columns)) {
+        return false;
     }
-    return all_holds;
+    for (uint32_t i = 0U; i < 2U; i++) {
+        if (!(one->elements[i][0] == other->elements[i][0]
+                && one->elements[i][1] == other->elements[i][1])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
 static inline bool job_both_equal(const job_both_t *one, const job_both_t *other)
 {
-    bool all_equal = true;
     for (uint32_t i = 0U; i < 2U; i++) {
         if (!bounded_matrix_f64_2_2_equal(&one->parts[i], &other->parts[i])) {
-            all_equal = false;
-            break;
+            return false;
         }
     }
-    return all_equal && one->weight == other->weight;
+    return one->weight == other->weight;
 }
 
 /** Whether the two are equal, part by part. */
@@ -1370,22 +1291,18 @@ static inline bool of_bounded_in_enums_job_equal(const of_bounded_in_enums_job_t
 /** Whether the two are equal, part by part. */
 static inline bool list3_u16_equal(const list3_u16_t *one, const list3_u16_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        {
-            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
-            for (uint32_t i = 0U; i < end; i++) {
-                if (one->items[i] != other->items[i]) {
-                    all_equal = false;
-                    break;
-                }
+    if (one->length != other->length) {
+        return false;
+    }
+    {
+        const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
+        for (uint32_t i = 0U; i < end; i++) {
+            if (one->items[i] != other->items[i]) {
+                return false;
             }
         }
-        all_holds = all_equal;
     }
-    return all_holds;
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
@@ -1400,77 +1317,55 @@ static inline bool of_bounded_in_structs_window_equal(const of_bounded_in_struct
 static inline bool bounded_matrix_f64_3_2_equal(const bounded_matrix_f64_3_2_t *one,
     const bounded_matrix_f64_3_2_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->rows == other->rows && one->columns == other->columns;
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 2U; i++) {
-            if (!(one->elements[i][0] == other->elements[i][0]
-                    && one->elements[i][1] == other->elements[i][1]
-                    && one->elements[i][2] == other->elements[i][2])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (!(one->rows == other->rows && one->columns == other->columns)) {
+        return false;
     }
-    return all_holds;
+    for (uint32_t i = 0U; i < 2U; i++) {
+        if (!(one->elements[i][0] == other->elements[i][0]
+                && one->elements[i][1] == other->elements[i][1]
+                && one->elements[i][2] == other->elements[i][2])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
 static inline bool bounded_matrix_f32_4_1_equal(const bounded_matrix_f32_4_1_t *one,
     const bounded_matrix_f32_4_1_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->rows == other->rows && one->columns == other->columns;
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 1U; i++) {
-            if (!(one->elements[i][0] == other->elements[i][0]
-                    && one->elements[i][1] == other->elements[i][1]
-                    && one->elements[i][2] == other->elements[i][2]
-                    && one->elements[i][3] == other->elements[i][3])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (!(one->rows == other->rows && one->columns == other->columns)) {
+        return false;
     }
-    return all_holds;
+    for (uint32_t i = 0U; i < 1U; i++) {
+        if (!(one->elements[i][0] == other->elements[i][0]
+                && one->elements[i][1] == other->elements[i][1]
+                && one->elements[i][2] == other->elements[i][2]
+                && one->elements[i][3] == other->elements[i][3])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
 static inline bool airfoil_equal(const airfoil_t *one, const airfoil_t *other)
 {
-    bool all_equal = true;
     for (uint32_t i = 0U; i < 3U; i++) {
-        bool all_equal_2 = true;
-        for (uint32_t i_2 = 0U; i_2 < 2U; i_2++) {
-            if (!(one->lift[i][i_2][0] == other->lift[i][i_2][0]
-                    && one->lift[i][i_2][1] == other->lift[i][i_2][1])) {
-                all_equal_2 = false;
-                break;
+        for (uint32_t j = 0U; j < 2U; j++) {
+            if (!(one->lift[i][j][0] == other->lift[i][j][0]
+                    && one->lift[i][j][1] == other->lift[i][j][1])) {
+                return false;
             }
         }
-        if (!all_equal_2) {
-            all_equal = false;
-            break;
+    }
+    for (uint32_t i = 0U; i < 3U; i++) {
+        if (!(one->drag[i][0] == other->drag[i][0] && one->drag[i][1] == other->drag[i][1])) {
+            return false;
         }
     }
-    bool all_equal_2 = false;
-    bool all_holds = all_equal;
-    if (all_holds) {
-        all_equal_2 = true;
-        for (uint32_t i = 0U; i < 3U; i++) {
-            if (!(one->drag[i][0] == other->drag[i][0] && one->drag[i][1] == other->drag[i][1])) {
-                all_equal_2 = false;
-                break;
-            }
-        }
-        all_holds = all_equal_2;
-    }
-    return all_holds && (one->name[0] == other->name[0] && one->name[1] == other->name[1]
-        && one->name[2] == other->name[2] && one->name[3] == other->name[3]);
+    return one->name[0] == other->name[0] && one->name[1] == other->name[1]
+        && one->name[2] == other->name[2] && one->name[3] == other->name[3];
 }
 
 /** Whether the two are equal, part by part. */
@@ -1490,22 +1385,18 @@ static inline bool of_grids_of_structs_cell_equal(const of_grids_of_structs_cell
 /** Whether the two are equal, part by part. */
 static inline bool list4_f64_equal(const list4_f64_t *one, const list4_f64_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        {
-            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(4));
-            for (uint32_t i = 0U; i < end; i++) {
-                if (one->items[i] != other->items[i]) {
-                    all_equal = false;
-                    break;
-                }
+    if (one->length != other->length) {
+        return false;
+    }
+    {
+        const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(4));
+        for (uint32_t i = 0U; i < end; i++) {
+            if (one->items[i] != other->items[i]) {
+                return false;
             }
         }
-        all_holds = all_equal;
     }
-    return all_holds;
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
@@ -1522,43 +1413,35 @@ static inline bool of_lists_of_enums_event_equal(const of_lists_of_enums_event_t
 static inline bool list3_of_lists_of_enums_event_equal(const list3_of_lists_of_enums_event_t *one,
     const list3_of_lists_of_enums_event_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        {
-            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
-            for (uint32_t i = 0U; i < end; i++) {
-                if (!of_lists_of_enums_event_equal(&one->items[i], &other->items[i])) {
-                    all_equal = false;
-                    break;
-                }
+    if (one->length != other->length) {
+        return false;
+    }
+    {
+        const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
+        for (uint32_t i = 0U; i < end; i++) {
+            if (!of_lists_of_enums_event_equal(&one->items[i], &other->items[i])) {
+                return false;
             }
         }
-        all_holds = all_equal;
     }
-    return all_holds;
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
 static inline bool list3_list2_u8_equal(const list3_list2_u8_t *one, const list3_list2_u8_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        {
-            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
-            for (uint32_t i = 0U; i < end; i++) {
-                if (!list2_u8_equal(&one->items[i], &other->items[i])) {
-                    all_equal = false;
-                    break;
-                }
+    if (one->length != other->length) {
+        return false;
+    }
+    {
+        const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
+        for (uint32_t i = 0U; i < end; i++) {
+            if (!list2_u8_equal(&one->items[i], &other->items[i])) {
+                return false;
             }
         }
-        all_holds = all_equal;
     }
-    return all_holds;
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
@@ -1573,22 +1456,18 @@ static inline bool of_lists_of_structs_track_equal(const of_lists_of_structs_tra
 static inline bool list3_of_lists_of_structs_track_equal(
     const list3_of_lists_of_structs_track_t *one, const list3_of_lists_of_structs_track_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        {
-            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
-            for (uint32_t i = 0U; i < end; i++) {
-                if (!of_lists_of_structs_track_equal(&one->items[i], &other->items[i])) {
-                    all_equal = false;
-                    break;
-                }
+    if (one->length != other->length) {
+        return false;
+    }
+    {
+        const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
+        for (uint32_t i = 0U; i < end; i++) {
+            if (!of_lists_of_structs_track_equal(&one->items[i], &other->items[i])) {
+                return false;
             }
         }
-        all_holds = all_equal;
     }
-    return all_holds;
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
@@ -1633,39 +1512,28 @@ static inline bool pair_pair_u8_pair_f32_bool_pair_i16_u64x2_equal(
     const pair_pair_u8_pair_f32_bool_pair_i16_u64x2_t *one,
     const pair_pair_u8_pair_f32_bool_pair_i16_u64x2_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = pair_u8_pair_f32_bool_equal(&one->first, &other->first);
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 2U; i++) {
-            if (!pair_i16_u64_equal(&one->second[i], &other->second[i])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (!pair_u8_pair_f32_bool_equal(&one->first, &other->first)) {
+        return false;
     }
-    return all_holds;
+    for (uint32_t i = 0U; i < 2U; i++) {
+        if (!pair_i16_u64_equal(&one->second[i], &other->second[i])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
 static inline bool covariance_equal(const covariance_t *one, const covariance_t *other)
 {
-    bool all_equal = true;
-    for (uint32_t i = 0U; i < 2U; i++) {
-        bool all_equal_2 = true;
-        for (uint32_t i_2 = 0U; i_2 < 2U; i_2++) {
-            if (one->value[i_2 + 2U * i] != other->value[i_2 + 2U * i]) {
-                all_equal_2 = false;
-                break;
+    for (uint32_t column = 0U; column < 2U; column++) {
+        for (uint32_t row = 0U; row < 2U; row++) {
+            if (one->value[row + 2U * column] != other->value[row + 2U * column]) {
+                return false;
             }
         }
-        if (!all_equal_2) {
-            all_equal = false;
-            break;
-        }
     }
-    return all_equal;
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
@@ -1786,19 +1654,15 @@ static inline bool of_static_tables_gain_equal(const of_static_tables_gain_t *on
 /** Whether the two are equal, part by part. */
 static inline bool text_7_equal(const text_7_t *one, const text_7_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 7U; i++) {
-            if (one->bytes[i] != other->bytes[i]) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (one->length != other->length) {
+        return false;
     }
-    return all_holds;
+    for (uint32_t i = 0U; i < 7U; i++) {
+        if (one->bytes[i] != other->bytes[i]) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
@@ -1820,40 +1684,32 @@ static inline bool named_unit_equal(const named_unit_t *one, const named_unit_t 
 static inline bool bounded_matrix_bool_3_2_equal(const bounded_matrix_bool_3_2_t *one,
     const bounded_matrix_bool_3_2_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->rows == other->rows && one->columns == other->columns;
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 2U; i++) {
-            if (!(one->elements[i][0] == other->elements[i][0]
-                    && one->elements[i][1] == other->elements[i][1]
-                    && one->elements[i][2] == other->elements[i][2])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (!(one->rows == other->rows && one->columns == other->columns)) {
+        return false;
     }
-    return all_holds;
+    for (uint32_t i = 0U; i < 2U; i++) {
+        if (!(one->elements[i][0] == other->elements[i][0]
+                && one->elements[i][1] == other->elements[i][1]
+                && one->elements[i][2] == other->elements[i][2])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
 static inline bool costs_equal(const costs_t *one, const costs_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->rows == other->rows && one->columns == other->columns;
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 3U; i++) {
-            if (!(one->elements[i][0] == other->elements[i][0]
-                    && one->elements[i][1] == other->elements[i][1])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (!(one->rows == other->rows && one->columns == other->columns)) {
+        return false;
     }
-    return all_holds;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        if (!(one->elements[i][0] == other->elements[i][0]
+                && one->elements[i][1] == other->elements[i][1])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /** Whether the two are equal, part by part. */
@@ -1867,20 +1723,16 @@ static inline bool map_equal(const map_t *one, const map_t *other)
 static inline bool bounded_matrix_f32_2_3_equal(const bounded_matrix_f32_2_3_t *one,
     const bounded_matrix_f32_2_3_t *other)
 {
-    bool all_equal = false;
-    bool all_holds = one->rows == other->rows && one->columns == other->columns;
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 3U; i++) {
-            if (!(one->elements[i][0] == other->elements[i][0]
-                    && one->elements[i][1] == other->elements[i][1])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
+    if (!(one->rows == other->rows && one->columns == other->columns)) {
+        return false;
     }
-    return all_holds;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        if (!(one->elements[i][0] == other->elements[i][0]
+                && one->elements[i][1] == other->elements[i][1])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /** The larger of two; the second if they are unordered. */

@@ -5,13 +5,12 @@
 //!
 //! Invariant: capacity and indices are checked before anything is written.
 
-use bessemer_ir::tree::{self, Builtin, ListMethod};
+use bessemer_ir::tree::{self, Builtin, ListMethod, Site};
 use bessemer_ir::{
     Block, CompareOp, Expr, Fault, Form, Intrinsic, LogicOp, Place, Span, Step, Stmt, StmtKind,
     Type,
 };
 
-use super::comparison::Pair;
 use super::each::Each;
 use super::expr::Call;
 use super::lengths::{least, lesser};
@@ -19,7 +18,7 @@ use super::lowering::Lowering;
 use super::syntax::is_named;
 use super::value::Value;
 use super::words;
-use super::{Needed, OUR_FAULT, Result, problem, refusals, refused, struct_of};
+use super::{Needed, Result, refusals, refused, struct_of};
 
 /// A container at a place.
 struct Bounded {
@@ -296,22 +295,20 @@ impl Lowering<'_, '_> {
         self.emit(list.set_length(length), span);
         Ok(())
     }
+}
 
-    /// Lowers `==` of two lists: equal lengths, then equal elements.
-    pub(super) fn equal_lists(&mut self, pair: &Pair) -> Result<Expr> {
-        let (site, span) = (pair.site, pair.span);
-        let [left, right] = pair.sides.each_ref().map(|list| self.list_at(list));
-        let (Some(left), Some(right)) = (left, right) else {
-            return problem(site, "this is not a `List`", OUR_FAULT);
-        };
-        let (one, other) = (left.length.load(), right.length.load());
-        let as_long = Expr::compare(CompareOp::Eq, one.clone(), other).at(span);
-        self.logic_and(as_long, &mut Vec::new(), |inner, _| {
-            let count = lesser(one, Expr::usize(u64::from(left.capacity), span));
-            inner.all_equal(count, span, |inner, index| {
-                let sides = [left.at([index.clone()]), right.at([index])];
-                inner.equal(&Pair { sides, site, span })
-            })
-        })
-    }
+/// Returns the condition that two lists have the same length, the number of elements to compare, and both elements at an
+/// index.
+pub(super) fn compared(
+    lower: &Lowering<'_, '_>,
+    [left, right]: &[Place; 2],
+    site: Site,
+) -> Result<(Expr, Expr, impl Fn(Expr) -> [Place; 2] + use<>)> {
+    let list = |side: &Place| lower.list_at(side).needed(site, "this is not a `List`");
+    let (left, right) = (list(left)?, list(right)?);
+    let (one, other) = (left.length.load(), right.length.load());
+    let span = one.span;
+    let same = Expr::compare(CompareOp::Eq, one.clone(), other).at(span);
+    let count = lesser(one, Expr::usize(u64::from(left.capacity), span));
+    Ok((same, count, move |index: Expr| [left.at([index.clone()]), right.at([index])]))
 }

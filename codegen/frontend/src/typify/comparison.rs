@@ -1,8 +1,8 @@
 //! Lowers `==` and `<` of values with several words.
 //!
 //! `==` is taken part by part, of an array of more than a few in a loop. A struct of words alone is compared where `==` stands;
-//! any other has a function for it, one for each type, so that what nests is written once: `motor_equal(&one, &other)`. Floats
-//! compare as IEEE 754 has it, so that a NaN in a part makes the whole unequal.
+//! any other has a function for it, one for each type, so that what nests is written once: `motor_equal(&one, &other)`. A loop
+//! over the elements of a part returns at the first that differ. Floats compare as IEEE 754 has it, so that a NaN in a part makes the whole unequal.
 //!
 //! `<` of tuples, arrays and structs that derive it: the first parts that differ decide. A NaN among these makes each comparison
 //! false, as in Rust: it neither comes first nor is it equal. Of enums with payload, options and results the variants decide, and
@@ -15,11 +15,12 @@ use bessemer_ir::{
     Int, LogicOp, Mode, Owner, Place, Role, Scalar, Span, Step, Stmt, StmtKind, StructId, Type,
 };
 
+use super::function::without_marks;
 use super::lengths::size;
 use super::lowering::Lowering;
 use super::value::step_to;
 use super::words;
-use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
+use super::{Needed, OUR_FAULT, Result, bounded, problem, refusals, refused};
 
 /// Largest number of elements that are compared one by one, without a loop.
 const FEW: u32 = 4;
@@ -65,7 +66,10 @@ impl Lowering<'_, '_> {
         let sides = [left, right].map(|side| self.hold(side));
         let pair = Pair { span: self.span(site), site, sides };
         match pair.sides[0].ty {
-            Type::Struct(id) if !own && self.is_flat(id) => self.equal_parts(id, &pair),
+            Type::Struct(id) if !own && self.is_flat(id) => {
+                self.check_equality(&pair.sides[0].ty, site)?;
+                self.equal_fields(id, &pair)
+            }
             _ => self.equal(&pair),
         }
     }
@@ -114,7 +118,8 @@ impl Lowering<'_, '_> {
     fn is_flat(&self, id: StructId) -> bool {
         let rotation = self.cx.known_of(id).unit == Some(true);
         let fields = self.cx.fields(id);
-        !rotation && fields.iter().all(|field| field.ty.is_word())
+        let list = self.cx.module.structs[id.index()].form == Form::Sequence;
+        !rotation && !list && fields.iter().all(|field| field.ty.is_word())
     }
 
     pub(super) fn equal(&mut self, pair: &Pair) -> Result<Expr> {
@@ -155,7 +160,7 @@ impl Lowering<'_, '_> {
         if let Some(known) = self.cx.known_of(id).equality {
             return Ok(known);
         }
-        let (name, item) = (self.equality_name(id), &self.cx.module.structs[id.index()]);
+        let (name, item) = (name_of_equality(self, id), &self.cx.module.structs[id.index()]);
         let (module, span, ty) = (item.module.clone(), item.span, Type::Struct(id));
         let mut inner = Lowering::new(&mut *self.cx, self.source)?;
         inner.naming = words::ALL_PARTS.into();
@@ -163,8 +168,7 @@ impl Lowering<'_, '_> {
             let local = inner.declare(name, ty.clone(), Mode::Ref, span);
             Place::local(local, ty.clone(), span)
         });
-        let same = inner.equal_parts(id, &Pair { sides, site, span })?;
-        inner.emit(StmtKind::Return(Some(same)), span);
+        equality_body(&mut inner, id, &Pair { sides, site, span })?;
         let (locals, out) = (std::mem::take(&mut inner.locals), std::mem::take(&mut inner.out));
         self.cx.module.functions.push(Function {
             name,
@@ -173,7 +177,7 @@ impl Lowering<'_, '_> {
             role: Role::Inline { public: true },
             attributes: Attributes::default(),
             docs: vec!["Whether the two are equal, part by part.".to_owned()],
-            locals: locals.into_all().into_iter().map(super::function::without_marks).collect(),
+            locals: locals.into_all().into_iter().map(without_marks).collect(),
             params: 2,
             result: Type::BOOL,
             result_name: String::new(),
@@ -186,17 +190,45 @@ impl Lowering<'_, '_> {
         Ok(function)
     }
 
-    /// Returns the name `equal`, or another one if the author has a function whose C name would be the same.
-    fn equality_name(&self, id: StructId) -> String {
-        let ty = Type::Struct(id);
-        let paths = self.cx.types.by_path.iter().filter(|(_, it)| **it == ty);
-        let mut homes: Vec<String> = paths.map(|(path, _)| format!("{path}::equal")).collect();
-        let own = super::names::snake(self.cx.name_of(&ty).unwrap_or_default());
-        homes.push(format!("::{own}::equal"));
-        let taken = |known: &String| homes.iter().any(|home| known.ends_with(home));
-        let name =
-            if self.cx.authored.iter().any(taken) { words::SAME_PARTS } else { words::EQUAL };
-        name.to_owned()
+    /// Compares field by field, and returns the condition of the fields after the last one with a loop. Before it, returns
+    /// of false are emitted; a struct of words has no such field.
+    fn equal_fields(&mut self, id: StructId, pair: &Pair) -> Result<Expr> {
+        let form = self.cx.module.structs[id.index()].form.clone();
+        let mut all: Option<Expr> = None;
+        for index in 0..self.cx.fields(id).len() {
+            let part = pair.parts(|whole| self.part(whole, id, index));
+            // A field that may hold nothing is looked at where it does.
+            let there = match &form {
+                Form::Choice(chosen) if index > 0 => {
+                    let word = chosen.iter().position(|field| *field == Some(index as u32));
+                    Some(self.tag_is(&pair.sides[0], id, word.unwrap_or_default() as u64))
+                }
+                _ => None,
+            };
+            if has_loop(self, &part.sides[0].ty) {
+                if let Some(before) = all.take() {
+                    return_unless(self, before, pair.span);
+                }
+                let ((), inner) = self.in_block(|inner| return_if_unequal(inner, &part))?;
+                match there {
+                    None => self.out.extend(inner),
+                    Some(there) => self.emit_if(there, Block(inner), pair.span),
+                }
+                continue;
+            }
+            let compare = |inner: &mut Self| match there {
+                None => inner.equal(&part),
+                Some(there) => {
+                    let absent = there.negated();
+                    inner.short_circuit(LogicOp::Or, absent, part.span, |inner| inner.equal(&part))
+                }
+            };
+            all = Some(match all {
+                None => compare(self)?,
+                Some(all) => self.logic_and(all, &mut Vec::new(), |inner, _| compare(inner))?,
+            });
+        }
+        Ok(all.unwrap_or_else(|| Expr::bool(true, pair.span)))
     }
 
     /// Refuses `==` of a type without an equality that the DSL can see.
@@ -213,42 +245,6 @@ impl Lowering<'_, '_> {
             format!("`{name}` has no `PartialEq` below `#[data]`"),
             "write `#[derive(PartialEq)]` below `#[data]`, mark the `impl` block of your own `#[data]`, or compare the parts",
         )
-    }
-
-    fn equal_parts(&mut self, id: StructId, pair: &Pair) -> Result<Expr> {
-        self.check_equality(&pair.sides[0].ty, pair.site)?;
-        let definition = &self.cx.module.structs[id.index()];
-        if self.cx.known_of(id).unit == Some(true) {
-            return Ok(self.same_rotation(id, pair));
-        }
-        let (form, count) = (definition.form.clone(), definition.fields.len());
-        if form == Form::Sequence {
-            return self.equal_lists(pair);
-        }
-        let mut all: Option<Expr> = None;
-        for index in 0..count {
-            let part = pair.parts(|whole| self.part(whole, id, index));
-            // A field that may hold nothing is looked at where it does.
-            let condition = match &form {
-                Form::Choice(chosen) if index > 0 => {
-                    let word = chosen.iter().position(|field| *field == Some(index as u32));
-                    let word = word.unwrap_or_default() as u64;
-                    Some(self.tag_is(&pair.sides[0], id, word).negated())
-                }
-                _ => None,
-            };
-            let compare = |inner: &mut Self| match condition {
-                None => inner.equal(&part),
-                Some(absent) => {
-                    inner.short_circuit(LogicOp::Or, absent, part.span, |inner| inner.equal(&part))
-                }
-            };
-            all = Some(match all {
-                None => compare(self)?,
-                Some(all) => self.logic_and(all, &mut Vec::new(), |inner, _| compare(inner))?,
-            });
-        }
-        Ok(all.unwrap_or_else(|| Expr::bool(true, pair.span)))
     }
 
     fn equal_elements(&mut self, pair: &Pair, element: &Type, len: u32) -> Result<Expr> {
@@ -419,6 +415,83 @@ impl Lowering<'_, '_> {
             _ => None,
         }
     }
+}
+
+/// Emits the body of a function that compares two values.
+fn equality_body(lower: &mut Lowering<'_, '_>, id: StructId, pair: &Pair) -> Result<()> {
+    lower.check_equality(&pair.sides[0].ty, pair.site)?;
+    let same = if lower.cx.known_of(id).unit == Some(true) {
+        lower.same_rotation(id, pair)
+    } else if lower.cx.module.structs[id.index()].form == Form::Sequence {
+        return_unless_equal_lists(lower, pair)?;
+        Expr::bool(true, pair.span)
+    } else {
+        lower.equal_fields(id, pair)?
+    };
+    lower.emit(StmtKind::Return(Some(same)), pair.span);
+    Ok(())
+}
+
+/// Returns true if a comparison of two values of a type loops over their elements.
+fn has_loop(lower: &Lowering<'_, '_>, ty: &Type) -> bool {
+    match ty {
+        _ if lower.cx.known(ty).own_equality.is_some() => false,
+        Type::Array { element, len } => *len > FEW || !element.is_word(),
+        Type::Matrix { rows, cols, .. } => rows * cols > FEW || (*rows > 1 && *cols > 1),
+        _ => false,
+    }
+}
+
+/// Emits a return of false if two values differ.
+fn return_if_unequal(lower: &mut Lowering<'_, '_>, pair: &Pair) -> Result<()> {
+    let (ty, span) = (pair.sides[0].ty.clone(), pair.sides[0].span);
+    let by = |step: Step, element: &Type| Pair { span, ..pair.at(&step, element) };
+    let (element, count) = match &ty {
+        looped if !has_loop(lower, looped) => {
+            let same = lower.equal(pair)?;
+            return_unless(lower, same, pair.span);
+            return Ok(());
+        }
+        Type::Matrix { element, rows, cols } if *rows > 1 && *cols > 1 => {
+            let element = Type::Scalar(*element);
+            return lower.each_cell(words::COLUMN, (*rows, *cols), span, |inner, row, column| {
+                return_if_unequal(inner, &by(Step::Element(row, column), &element))
+            });
+        }
+        Type::Matrix { element, rows, cols } => (Type::Scalar(*element), rows * cols),
+        Type::Array { element, len } => ((**element).clone(), *len),
+        _ => return problem(pair.site, "these have no elements", OUR_FAULT),
+    };
+    lower.below("i", size(count, span), span, |inner, index| {
+        return_if_unequal(inner, &by(step_to(&ty, index, span), &element))
+    })
+}
+
+/// Emits returns of false unless two lists have the same length and elements.
+fn return_unless_equal_lists(lower: &mut Lowering<'_, '_>, pair: &Pair) -> Result<()> {
+    let (same, count, at) = bounded::compared(lower, &pair.sides, pair.site)?;
+    return_unless(lower, same, pair.span);
+    lower.below("i", count, pair.span, |inner, index| {
+        return_if_unequal(inner, &Pair { sides: at(index), ..*pair })
+    })
+}
+
+/// Emits a return of false unless two values are the same.
+fn return_unless(lower: &mut Lowering<'_, '_>, same: Expr, span: Span) {
+    let unequal = StmtKind::Return(Some(Expr::bool(false, span)));
+    lower.emit_if(opposite(same), Block(vec![Stmt::new(unequal, span)]), span);
+}
+
+/// Returns the name `equal`, or another one if the author has a function whose C name would be the same.
+fn name_of_equality(lower: &Lowering<'_, '_>, id: StructId) -> String {
+    let (cx, ty) = (&lower.cx, Type::Struct(id));
+    let paths = cx.types.by_path.iter().filter(|(_, it)| **it == ty);
+    let mut homes: Vec<String> = paths.map(|(path, _)| format!("{path}::equal")).collect();
+    let own = super::names::snake(cx.name_of(&ty).unwrap_or_default());
+    homes.push(format!("::{own}::equal"));
+    let taken = |known: &String| homes.iter().any(|home| known.ends_with(home));
+    let name = if cx.authored.iter().any(taken) { words::SAME_PARTS } else { words::EQUAL };
+    name.to_owned()
 }
 
 /// Returns the comparison without equality: `<` for `<=`.

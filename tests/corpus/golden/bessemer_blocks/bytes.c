@@ -227,7 +227,7 @@ static uint64_t bytes_mask_f64(const signal_f64_t *signal)
 /** Returns the number of bits below a signal in its word. */
 static uint32_t bytes_shift_f32(const signal_f32_t *signal)
 {
-    const uint32_t start = (uint32_t)(uint8_t)(signal->start & 0x3FU);
+    const uint32_t start = (uint32_t)signal->start & 0x3FU;
     switch (signal->order) {
     case BYTES_ORDER_LITTLE:
         return start;
@@ -243,7 +243,7 @@ static uint32_t bytes_shift_f32(const signal_f32_t *signal)
 /** Returns the number of bits below a signal in its word. */
 static uint32_t bytes_shift_f64(const signal_f64_t *signal)
 {
-    const uint32_t start = (uint32_t)(uint8_t)(signal->start & 0x3FU);
+    const uint32_t start = (uint32_t)signal->start & 0x3FU;
     switch (signal->order) {
     case BYTES_ORDER_LITTLE:
         return start;

@@ -38,7 +38,7 @@ bessemer_status_t chain_links_leading_number(const uint8_t text[6],
             if (value > 0x19999999U) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            if (i64_from_u32(10U * value) + (int64_t)(uint32_t)digit > (int64_t)UINT32_MAX) {
+            if (i64_from_u32(10U * value) + (int64_t)digit > (int64_t)UINT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
             value = 10U * value + (uint32_t)digit;

@@ -31,7 +31,7 @@ bessemer_status_t chunks_passed(const uint8_t bytes[10], uint64_t used, uint32_t
             if (i >= 10U) {
                 return BESSEMER_STATUS_INDEX;
             }
-            if ((int64_t)sum + (int64_t)(uint32_t)bytes[i] > (int64_t)UINT32_MAX) {
+            if ((int64_t)sum + (int64_t)bytes[i] > (int64_t)UINT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
             sum += (uint32_t)bytes[i];

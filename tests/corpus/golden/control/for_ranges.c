@@ -7,8 +7,8 @@ bessemer_status_t for_ranges_window(const int16_t values[8], int32_t result[BESS
     int32_t sum = 0;
     int32_t negative = 0;
     for (uint32_t i = 0U; i < 8U; i++) {
-        if ((int64_t)sum + (int64_t)(int32_t)values[i] < INT32_MIN
-                || (int64_t)sum + (int64_t)(int32_t)values[i] > INT32_MAX) {
+        if ((int64_t)sum + (int64_t)values[i] < INT32_MIN
+                || (int64_t)sum + (int64_t)values[i] > INT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum += (int32_t)values[i];

@@ -22,10 +22,9 @@ uint32_t for_steps_thirds(uint8_t from, uint8_t to)
 {
     uint32_t sum = 0U;
     const uint8_t n_length = saturating_sub_u8(to, from);
-    const uint8_t n_passes = (uint8_t)((uint32_t)(uint8_t)(n_length / 3U)
-        + (uint32_t)(uint8_t)(n_length % 3U != 0U));
+    const uint8_t n_passes = (uint8_t)((uint32_t)n_length / 3U + (uint32_t)(n_length % 3U != 0U));
     for (uint8_t pass = 0U; pass < n_passes; pass++) {
-        const uint8_t n = (uint8_t)((uint32_t)from + (uint32_t)(uint8_t)((uint32_t)pass * 3U));
+        const uint8_t n = (uint8_t)((uint32_t)from + (uint32_t)pass * 3U);
         sum += (uint32_t)n;
     }
     return sum;

@@ -24,7 +24,7 @@ double gathered_moment(const double samples[5])
 bessemer_status_t gathered_added(uint16_t sums[BESSEMER_RESTRICT 4], const uint8_t parts[3])
 {
     for (uint32_t i = 0U; i < 3U; i++) {
-        if ((int64_t)sums[i] + (int64_t)(uint16_t)parts[i] > INT64_C(65535)) {
+        if ((int64_t)sums[i] + (int64_t)parts[i] > INT64_C(65535)) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sums[i] = (uint16_t)(sums[i] + (uint16_t)parts[i]);

@@ -93,7 +93,7 @@ void one_after_another_marks(uint8_t length, pair_u8_u32_t *result)
 {
     uint8_t count = 0U;
     uint32_t sum = 0U;
-    const uint8_t place_passes = (uint8_t)((uint32_t)(uint8_t)(length / 5U) + 1U);
+    const uint8_t place_passes = (uint8_t)((uint32_t)length / 5U + 1U);
     for (uint8_t pass = 0U; pass < place_passes; pass++) {
         const uint8_t place = (uint8_t)((uint32_t)pass * 5U);
         count = (uint8_t)(count + 1U);

@@ -51,7 +51,7 @@ bessemer_status_t characters_value(const uint8_t bytes[4], uint8_t base,
     uint32_t *BESSEMER_RESTRICT value)
 {
     bessemer_status_t status;
-    const uint32_t base_2 = (uint32_t)(uint8_t)(base & 0xFU) + 2U;
+    const uint32_t base_2 = ((uint32_t)base & 0xFU) + 2U;
     uint32_t value_value = 0U;
     for (uint32_t i = 0U; i < 4U; i++) {
         option_u32_t digit;

@@ -73,8 +73,8 @@ bessemer_status_t numbered_enums_sum(const numbered_enums_frame_t *frame,
     }
     for (uint32_t i = 0U; i < 2U; i++) {
         const turn_t turn = frame->turns[i];
-        if ((int64_t)sum_value + (int64_t)(int32_t)turn < INT32_MIN
-                || (int64_t)sum_value + (int64_t)(int32_t)turn > INT32_MAX) {
+        if ((int64_t)sum_value + (int64_t)turn < INT32_MIN
+                || (int64_t)sum_value + (int64_t)turn > INT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum_value += (int32_t)turn;

@@ -114,7 +114,7 @@ void slice_edits_framed(const list12_u8_t *frame, option_pair_u16_bool_t *BESSEM
     {
         const uint32_t end = (uint32_t)(min_u64(frame->length, UINT64_C(12)) - 2U - 2U + 2U);
         for (uint32_t i = 2U; i < end; i++) {
-            sum = (uint16_t)((uint32_t)sum + (uint32_t)(uint16_t)frame->items[i]);
+            sum = (uint16_t)((uint32_t)sum + (uint32_t)frame->items[i]);
         }
     }
     const uint8_t result_bytes[2] = {frame->items[0], frame->items[1]};

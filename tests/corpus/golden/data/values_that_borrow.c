@@ -525,7 +525,7 @@ bessemer_status_t values_that_borrow_answer(const uint8_t packet[4],
         if (i >= UINT64_C(6)) {
             return BESSEMER_STATUS_INDEX;
         }
-        if ((int64_t)sum + (int64_t)(uint32_t)room[i] > (int64_t)UINT32_MAX) {
+        if ((int64_t)sum + (int64_t)room[i] > (int64_t)UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum += (uint32_t)room[i];

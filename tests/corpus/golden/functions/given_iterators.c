@@ -123,7 +123,7 @@ bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t
             if (n == 12U) {
                 break;
             }
-            if ((int64_t)sum + (int64_t)(uint32_t)n > (int64_t)UINT32_MAX) {
+            if ((int64_t)sum + (int64_t)n > (int64_t)UINT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
             sum += (uint32_t)n;
@@ -143,8 +143,7 @@ bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t
                         outer_done = true;
                         break;
                     }
-                    if ((int64_t)sum + (int64_t)(uint32_t)(uint16_t)(one - other)
-                            > (int64_t)UINT32_MAX) {
+                    if ((int64_t)sum + (int64_t)(uint16_t)(one - other) > (int64_t)UINT32_MAX) {
                         return BESSEMER_STATUS_OVERFLOW;
                     }
                     sum += (uint32_t)(uint16_t)(one - other);
@@ -177,7 +176,7 @@ bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t
             sum_2 = (uint16_t)(sum_2 + n);
         }
     }
-    if ((int64_t)result_left + (int64_t)(uint32_t)sum_2 > (int64_t)UINT32_MAX) {
+    if ((int64_t)result_left + (int64_t)sum_2 > (int64_t)UINT32_MAX) {
         return BESSEMER_STATUS_OVERFLOW;
     }
     *result = result_left + (uint32_t)sum_2;

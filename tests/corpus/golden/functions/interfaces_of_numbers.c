@@ -122,7 +122,7 @@ double interfaces_of_numbers_number(const interfaces_of_numbers_metres_t *length
 
 bool interfaces_of_numbers_u16_step(uint16_t *self, uint8_t by)
 {
-    *self = (uint16_t)((uint32_t)*self + (uint32_t)(uint16_t)by);
+    *self = (uint16_t)((uint32_t)*self + (uint32_t)by);
     return *self > 1000U;
 }
 

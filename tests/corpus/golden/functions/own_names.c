@@ -76,7 +76,7 @@ void own_names_use_all(own_names_bank_t *BESSEMER_RESTRICT bank, uint8_t index,
     const uint8_t cell = cell_outcome.value;
     const own_names_bank_t other = *bank;
     const uint8_t sum_swap = own_names_bank_swap(bank, 3U);
-    uint8_t sum = (uint8_t)((uint32_t)(uint8_t)((uint32_t)cell + (uint32_t)sum_swap)
+    uint8_t sum = (uint8_t)((uint32_t)cell + (uint32_t)sum_swap
         + (uint32_t)own_names_bank_sort(bank));
     if (own_names_bank_total_cmp(bank, &other)) {
         sum = (uint8_t)((uint32_t)sum + (uint32_t)own_names_bank_chunks(bank, 5U));

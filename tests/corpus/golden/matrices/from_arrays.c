@@ -81,8 +81,8 @@ void from_arrays_packed(const double covariance[9], const float rates[3],
 void from_arrays_far(const float covariance[25], float columns[BESSEMER_RESTRICT 5][5])
 {
     for (uint32_t i = 0U; i < 5U; i++) {
-        for (uint32_t i_2 = 0U; i_2 < 5U; i_2++) {
-            columns[i][i_2] = 0.0F;
+        for (uint32_t j = 0U; j < 5U; j++) {
+            columns[i][j] = 0.0F;
         }
     }
     for (uint32_t col = 0U; col < 5U; col++) {

@@ -146,10 +146,10 @@ bessemer_status_t integer_matrices_cleared(uint8_t map[16], uint64_t row)
     for (uint32_t column = 0U; column < 4U; column++) {
         map[(uint32_t)row + 4U * column] = 9U;
     }
-    for (uint32_t row_2 = 0U; row_2 < 4U; row_2++) {
-        const uint8_t held = map[row_2];
-        map[row_2] = map[row_2 + 4U * 3U];
-        map[row_2 + 4U * 3U] = held;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        const uint8_t held = map[i];
+        map[i] = map[i + 4U * 3U];
+        map[i + 4U * 3U] = held;
     }
     matrix_edit_fill_lower_triangle_u8_4_4(map, 7U, UINT64_C(2));
     const uint8_t diagonal[4] = {1U, 2U, 3U, 4U};

@@ -121,8 +121,8 @@ void rotation_matrices_plane(const double m[4], const double v[2],
     bool result_equal = true;
     for (uint32_t i = 0U; i < 2U; i++) {
         bool result_equal_2 = true;
-        for (uint32_t i_2 = 0U; i_2 < 2U; i_2++) {
-            if (m[i_2 + 2U * i] != vector[i_2 + 2U * i]) {
+        for (uint32_t j = 0U; j < 2U; j++) {
+            if (m[j + 2U * i] != vector[j + 2U * i]) {
                 result_equal_2 = false;
                 break;
             }

@@ -59,9 +59,8 @@ void transposed_factors_corrected(const double covariance[9], const double gain[
     double kept[9];
     for (uint32_t column = 0U; column < 3U; column++) {
         BESSEMER_FEW_PASSES
-        for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
-            kept[row_2 + 3U * column] = kept_matrix[row_2 + 3U * column]
-                - gain[row_2] * row[column];
+        for (uint32_t i = 0U; i < 3U; i++) {
+            kept[i + 3U * column] = kept_matrix[i + 3U * column] - gain[i] * row[column];
         }
     }
     double result_product[9];
@@ -70,9 +69,9 @@ void transposed_factors_corrected(const double covariance[9], const double gain[
     product_tr_f64_3x3_3x3(result_product, kept, result_product_2);
     for (uint32_t column = 0U; column < 3U; column++) {
         BESSEMER_FEW_PASSES
-        for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
-            result[row_2 + 3U * column] = result_product_2[row_2 + 3U * column]
-                + gain[row_2] * gain[column] * variance;
+        for (uint32_t i = 0U; i < 3U; i++) {
+            result[i + 3U * column] = result_product_2[i + 3U * column]
+                + gain[i] * gain[column] * variance;
         }
     }
 }

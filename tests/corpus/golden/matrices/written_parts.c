@@ -52,8 +52,8 @@ void blocks_exchange(blocks_t *self)
 void blocks_update(blocks_t *BESSEMER_RESTRICT self, const double gain[6], const double row[6])
 {
     for (uint32_t i = 0U; i < 3U; i++) {
-        for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-            self->p[row_2 + 6U * i] = gain[row_2];
+        for (uint32_t j = 0U; j < 6U; j++) {
+            self->p[j + 6U * i] = gain[j];
         }
     }
     double b[6];
@@ -61,14 +61,14 @@ void blocks_update(blocks_t *BESSEMER_RESTRICT self, const double gain[6], const
     for (uint32_t i = 0U; i < 6U; i++) {
         b[i] = gain[i] * 2.0;
     }
-    for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-        self->p[row_2 + 6U * 4U] = b[row_2];
+    for (uint32_t i = 0U; i < 6U; i++) {
+        self->p[i + 6U * 4U] = b[i];
     }
     for (uint32_t column = 0U; column < 6U; column++) {
         self->p[5U + 6U * column] = row[column];
     }
-    for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-        self->p[row_2 + 6U * 3U] = 0.0;
+    for (uint32_t i = 0U; i < 6U; i++) {
+        self->p[i + 6U * 3U] = 0.0;
     }
 }
 

@@ -4,8 +4,7 @@
 
 uint16_t bit_fields_packed(uint8_t hours, uint8_t minutes, uint8_t seconds)
 {
-    return (uint16_t)(((uint32_t)(uint16_t)((uint16_t)hours & 0x1FU) << 11)
-        | ((uint32_t)(uint16_t)((uint16_t)minutes & 0x3FU) << 5)
+    return (uint16_t)((((uint32_t)hours & 0x1FU) << 11) | (((uint32_t)minutes & 0x3FU) << 5)
         | ((uint16_t)((uint16_t)seconds / 2U) & 0x1FU));
 }
 

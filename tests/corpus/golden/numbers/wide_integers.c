@@ -35,7 +35,7 @@ void wide_integers_small(uint64_t a, uint64_t b, uint32_t c, uint16_t d, pair_u6
     const u128_t mean_divisor = {.high = UINT64_C(0), .low = UINT64_C(2)};
     u128_t mean;
     u128_quotient(&mean_number, &mean_divisor, &mean);
-    const u128_t number = {.high = UINT64_C(0), .low = (uint64_t)c * (uint64_t)(uint32_t)d};
+    const u128_t number = {.high = UINT64_C(0), .low = (uint64_t)c * (uint64_t)d};
     result->first = mean.low;
     result->second = number.low;
 }

@@ -1,6 +1,6 @@
-//! Removes casts of unsigned values that have no effect, since the bits above the type are removed later.
+//! Removes casts that have no effect: the value is within the type, or the bits above the type are removed later.
 
-use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Int, Type};
+use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Int, Module, Scalar, Type};
 
 use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
@@ -46,6 +46,46 @@ pub(super) fn uncast(value: Expr, ty: &Type) -> Expr {
         (Expr::Cast(to, inner), Type::Scalar(scalar)) if to == scalar_type(*scalar) => *inner,
         (value, _) => value,
     }
+}
+
+/// Returns the value that is converted twice, if the first conversion keeps every value of its type.
+pub(super) fn converted_once<'a>(module: &Module, operand: &'a Ir, to: Scalar) -> Option<&'a Ir> {
+    let ExprKind::Cast(inner) = &operand.kind else { return None };
+    let within = operand.ty.as_int()?;
+    let keeps = match (&inner.ty, to) {
+        (Type::Scalar(Scalar::Int(int)), _) => fits(*int, within),
+        // A number of a `bool` is unsigned (MISRA C:2012, rule 10.5).
+        (Type::Scalar(Scalar::Bool), Scalar::Int(to)) => !to.signed(),
+        (Type::Enum(id), _) => {
+            let item = &module.enums[id.index()];
+            let all = Int::min(within)..=Int::max(within);
+            let numbers = item.values(0..=item.variants.len() - 1);
+            numbers
+                .is_some_and(|(low, high)| all.contains(&low.into()) && all.contains(&high.into()))
+        }
+        _ => false,
+    };
+    keeps.then_some(&**inner)
+}
+
+/// Returns `x & n`, `x / n` or `x % n` with the number `n` in 32 bits, for a small unsigned `x`.
+pub(super) fn counted(value: &Ir) -> Option<Ir> {
+    use BinaryOp::{And, Div, Rem};
+    let ExprKind::Binary(op @ (And | Div | Rem), left, right) = &value.kind else { return None };
+    let small = value.ty.as_int().is_some_and(|int| !int.signed() && is_small(int));
+    let plain = match &left.kind {
+        ExprKind::Load(_) => true,
+        ExprKind::Cast(inner) => matches!(inner.kind, ExprKind::Load(_)) && is_widened(left),
+        _ => false,
+    };
+    let number = matches!(right.kind, ExprKind::Literal(word) if word != 0 || *op == And);
+    let ty = Type::Scalar(Scalar::Int(Int::U32));
+    (small && plain && number).then(|| {
+        let left = Ir { kind: ExprKind::Cast(left.clone()), ty: ty.clone(), span: left.span };
+        let right = Ir { ty: ty.clone(), ..(**right).clone() };
+        let kind = ExprKind::Binary(*op, Box::new(left), Box::new(right));
+        Ir { kind, ty, span: value.span }
+    })
 }
 
 /// Returns true if one integer type contains all values of another.

@@ -305,7 +305,7 @@ impl Lower<'_> {
         }
         let mut counter = String::new();
         let body = self.scope(|lower| {
-            counter = lower.fresh(name);
+            counter = lower.counter_name(name);
             body(lower, Expr::name(&counter));
         });
         self.bytes += 4;

@@ -53,17 +53,13 @@ impl Lower<'_> {
         let flag = flagged.then(|| self.flag(&from, &to));
 
         let wanted = self.function.local(variable).name.clone();
-        if wanted.starts_with('_') && wanted.trim_matches('_').is_empty() {
-            let name = self.fresh("i");
-            self.bindings[variable.index()] = Some(super::Binding::new(name, false));
-        } else {
-            self.bind(variable);
-        }
+        let is_unused = wanted.starts_with('_') && wanted.trim_matches('_').is_empty();
+        let counter = self.counter_name(if is_unused { "i" } else { &wanted });
+        self.bindings[variable.index()] = Some(super::Binding::new(counter.clone(), false));
         self.counters[variable.index()] = range.map(|(from, to)| {
             let last = if inclusive { to.1 } else { to.1 - 1 };
             (from.0, last.max(from.0))
         });
-        let counter = self.bindings[variable.index()].as_ref().expect("just bound").name.clone();
         let ty = if range.is_some() { "uint32_t" } else { scalar_type(Scalar::Int(int)) };
         let head = match flag {
             Some(flag) => flagged_head(&counter, (from.0, to.0), int, reversed, flag),

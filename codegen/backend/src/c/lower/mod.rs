@@ -358,6 +358,18 @@ impl<'a> Lower<'a> {
         name
     }
 
+    /// Returns a name for the counter of a loop. A short one that is visible already gives way to the next letter.
+    fn counter_name(&mut self, wanted: &str) -> String {
+        let is_free = |name: &&str| !self.taken.contains(*name) && !self.context.names.is_global(name);
+        let next = match wanted {
+            "i" | "j" | "k" | "row" | "column" | "col" => {
+                [wanted, "i", "j", "k"].into_iter().find(is_free)
+            }
+            _ => None,
+        };
+        self.fresh(next.unwrap_or(wanted))
+    }
+
     /// Names a local of the author's.
     fn bind(&mut self, local: LocalId) -> String {
         let author = &self.function.local(local).name;

@@ -7,7 +7,7 @@ use super::super::literal;
 use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
 use super::Lower;
-use super::bits::{fits, is_bits, is_widened, uncast};
+use super::bits::{converted_once, counted, fits, is_bits, uncast};
 use super::place::is_small;
 use super::word::narrowed;
 
@@ -48,7 +48,6 @@ impl Lower<'_> {
     /// Returns a shift by less than the width.
     pub(super) fn shift(&mut self, op: BinaryOp, left: &Ir, right: &Ir) -> Expr {
         let int = left.ty.as_int().expect("the validator asks for integers");
-        let value = self.word(left);
         let narrow = self.counts(right) && self.range(right).is_some() && !self.is_wide(right);
         let count = if narrow { self.narrow(right, false) } else { self.word(right) };
         let left_shift = op == BinaryOp::Shl;
@@ -59,19 +58,19 @@ impl Lower<'_> {
                 Some(held) if !plain => self.as_int(held, Int::U32, count),
                 _ => count,
             };
+            let value = self.word(left);
             return self.helper(helper, vec![value, count]);
         }
         // Promoted to `int`, the bits of a small unsigned integer could be shifted into the sign. A number alone has the type of
         // fewest bits that holds it, as MISRA C:2012 sees it (rule 12.2).
         let raised = is_small(int) && left_shift;
         let number = matches!(left.kind, ExprKind::Literal(_)) && !right.is_literal();
-        let value = match value {
-            value if number && (raised || int == Int::U32) => {
-                Expr::Cast("uint32_t".to_owned(), Box::new(value))
-            }
-            value if raised && is_widened(left) => Expr::cast("uint32_t", uncast(value, &left.ty)),
-            value if raised => Expr::cast("uint32_t", value),
-            value => value,
+        let value = if number && (raised || int == Int::U32) {
+            Expr::Cast("uint32_t".to_owned(), Box::new(self.word(left)))
+        } else if raised {
+            self.cast(left, &Type::Scalar(Scalar::Int(Int::U32)))
+        } else {
+            self.word(left)
         };
         // The count is unsigned, too (MISRA C:2012, rule 10.1).
         let count = match right.ty.as_int() {
@@ -93,6 +92,14 @@ impl Lower<'_> {
         }
         if let Some(direct) = self.without_double(operand, *target) {
             return self.cast(direct, to);
+        }
+        if let Some(direct) = converted_once(self.context.module, operand, *target) {
+            return self.cast(direct, to);
+        }
+        if *target == Scalar::Int(Int::U32)
+            && let Some(direct) = counted(operand)
+        {
+            return self.word(&direct);
         }
         let narrow =
             self.counts(operand) && self.range(operand).is_some() && !self.is_wide(operand);
@@ -305,17 +312,42 @@ impl Lower<'_> {
         let wide = if is_small(int) { Int::U32 } else { unsigned(int) };
         let own = int.signed() || is_small(int);
         let mut values = operands.iter().map(|operand| {
-            let bits = if is_small(int) { None } else { self.unsigned_bits(operand) };
-            bits.unwrap_or_else(|| {
-                let value = self.word(operand);
-                if own { self.as_int(int, wide, value) } else { value }
-            })
+            let bits =
+                if is_small(int) { self.modular(operand) } else { self.unsigned_bits(operand) };
+            match bits {
+                Some(bits) => bits,
+                None if own => self.unsigned_operand(operand, int, wide),
+                None => self.word(operand),
+            }
         });
         let (Some(a), Some(b)) = (values.next(), values.next()) else {
             unreachable!("two operands")
         };
         let result = Expr::binary(op, a, b);
         if is_small(int) { Expr::cast(unsigned_type(int), result) } else { result }
+    }
+
+    /// Returns an operand of type `int` in the unsigned type `wide`.
+    fn unsigned_operand(&mut self, operand: &Ir, int: Int, wide: Int) -> Expr {
+        if let Some(direct) = converted_once(self.context.module, operand, Scalar::Int(wide)) {
+            return self.cast(direct, &Type::Scalar(Scalar::Int(wide)));
+        }
+        match counted(operand) {
+            Some(counted) => self.word(&counted),
+            None => {
+                let value = self.word(operand);
+                self.as_int(int, wide, value)
+            }
+        }
+    }
+
+    /// Returns a small value that is computed modulo 2^bits, without the cast to its type.
+    fn modular(&mut self, operand: &Ir) -> Option<Expr> {
+        let int = operand.ty.as_int()?;
+        let ExprKind::Intrinsic(intrinsic, operands) = &operand.kind else { return None };
+        let bits = self.wrapping_bits(wrapping_sign(*intrinsic)?, int, operands);
+        let ty = Type::Scalar(Scalar::Int(unsigned(int)));
+        Some(uncast(bits, &ty))
     }
 
     /// Returns the bits of a signed value that unsigned arithmetic computes, without the conversion to the signed
