@@ -4,7 +4,7 @@
 
 use std::collections::HashSet;
 
-use bessemer_ir::tree::{self, DefinitionKind, Package, Site, Ty};
+use bessemer_ir::tree::{self, DefinitionKind, Package, Site, TemplateKind, Ty};
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{Const, ConstId, ExprKind, Function, Module, Owner, Role, Span, Type};
 
@@ -44,17 +44,38 @@ fn warning(file: &str, Site(line, column): Site, message: String, help: &str) ->
     Diagnostic { level: Level::Warning, file, line, column, message, help, ..Diagnostic::default() }
 }
 
-/// Returns generic components without an instance.
+/// Returns generic items of this package without an instance: only instances are checked and become C.
 fn templates(package: &Package) -> impl Iterator<Item = Diagnostic> {
-    let is_made = |template: &tree::Template| {
-        let same = |it: &tree::Definition| it.name == template.name && it.module == template.module;
-        package.types.iter().any(same)
+    let root = package.name.replace('-', "_");
+    let is_own = move |it: &&tree::Template| {
+        it.kind == TemplateKind::Component || it.module.split("::").next() == Some(&*root)
     };
-    package.templates.iter().filter(move |it| !is_made(it)).map(|it| {
+    let is_made = |template: &tree::Template| match template.kind {
+        TemplateKind::Component | TemplateKind::Data => {
+            let same =
+                |it: &tree::Definition| it.name == template.name && it.module == template.module;
+            package.types.iter().any(same)
+        }
+        TemplateKind::Function => package.functions.iter().any(|it| {
+            it.owner.is_none() && it.tree.name == template.name && it.module == template.module
+        }),
+    };
+    package.templates.iter().filter(is_own).filter(move |it| !is_made(it)).map(|it| {
         let name = &it.name;
-        let help = format!("name an instance: `#[component] pub type {name}F32 = {name}<f32>;`");
-        let message =
-            format!("the component `{name}` is generic and has no instance: it is not in the C");
+        let (message, help) = match it.kind {
+            TemplateKind::Component => (
+                format!("the component `{name}` is generic and has no instance: it is not in the C"),
+                format!("name an instance: `#[component] pub type {name}F32 = {name}<f32>;`"),
+            ),
+            TemplateKind::Data => (
+                format!("the type `{name}` is generic and has no instance: its methods are neither checked nor in the C"),
+                "use it with a concrete type in a marked function or type, or remove it".to_owned(),
+            ),
+            TemplateKind::Function => (
+                format!("`{name}` is generic and no marked function calls it: it is neither checked nor in the C"),
+                "call it in a marked function, with the types for which it is meant, or remove it".to_owned(),
+            ),
+        };
         warning(&it.file, it.site, message, &help)
     })
 }

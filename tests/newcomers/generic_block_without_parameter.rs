@@ -18,6 +18,7 @@ impl Lag {
 #[derive(Default)]
 pub struct GenericBlockWithoutParameter {
     pub last: f64,
+    pub lag: Lag<f64>,
 }
 
 #[component]

@@ -18,6 +18,14 @@ use bessemer::prelude::*;
 pub fn heading(x: f64, y: f64, z: f32) -> [f64; 3] {
     [y.atan2(x), x.ln() + z.powf(0.3) as f64, x.mul_add(y, 1.0) + y.powi(3)]
 }
+
+/// A vector of this length and direction.
+#[function]
+pub fn directed(length: f64, angle: f32) -> [f64; 2] {
+    let (sine, cosine) = angle.sin_cos();
+    let (_, other) = length.sin_cos();
+    [length * sine as f64, other * cosine as f64]
+}
 ";
 
 #[test]
@@ -30,9 +38,12 @@ fn the_targets_functions_stand_for_the_dsls() {
 
     job.options.math = Math::Target;
     let summary = workspace.perform(&job).expect("generated");
-    assert_eq!(summary.compiled.library, ["atan2", "log", "powf"]);
+    assert_eq!(summary.compiled.library, ["atan2", "cos", "cosf", "log", "powf", "sin", "sinf"]);
     let said = generate::table(&summary.compiled);
-    assert!(said.contains("the target's math.h (atan2, log, powf)"), "{said}");
+    assert!(
+        said.contains("the target's math.h (atan2, cos, cosf, log, powf, sin, sinf)"),
+        "{said}"
+    );
     let manifest = fs::read_to_string(job.output.join("manifest.json")).expect("a manifest");
     assert!(manifest.contains("target_math"), "{manifest}");
 
@@ -40,6 +51,9 @@ fn the_targets_functions_stand_for_the_dsls() {
     for call in ["= atan2(y, x);", "log(x) + (double)powf(z, 0.3F)", "fused_mul_add(x, y, 1.0)"] {
         assert!(source.contains(call), "{source}");
     }
+    let pairs = fs::read_to_string(job.output.join("single.c")).expect("the C");
+    let both = "    result->first = sinf(x);\n    result->second = cosf(x);\n}";
+    assert!(pairs.contains(both) && !pairs.contains("reduction"), "{pairs}");
     // No code and no table of what is not called is left.
     let names: Vec<_> = summary.compiled.files.iter().map(|file| file.name.as_str()).collect();
     assert!(names.contains(&"fused.c") && !names.contains(&"logarithm.c"), "{names:?}");
@@ -55,7 +69,7 @@ fn the_targets_functions_stand_for_the_dsls() {
             let symbols = Command::new("nm").arg(&object).output().expect("nm");
             called += &String::from_utf8_lossy(&symbols.stdout);
         }
-        for name in ["atan2", "log", "powf"] {
+        for name in ["atan2", "log", "powf", "sin", "cosf"] {
             assert!(called.contains(&format!(" U {name}\n")), "{}: {called}", toolchain.name());
         }
     }

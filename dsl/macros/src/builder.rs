@@ -16,7 +16,7 @@ use crate::imports;
 use crate::lower::{self, Lowering, Parameter, Refusals, refuse};
 use crate::numeric;
 use crate::owned;
-use crate::place::{named, registered};
+use crate::place::{self, named, registered};
 use crate::witness::{Copy, result_type};
 
 /// A function as the author wrote it.
@@ -93,7 +93,10 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     let callee = callee_by(marker, scope, None, &parts.builder);
     // A function inside another is built when the other calls it.
     let announced = !rewritten && matches!(subject.home, Home::Module);
-    let register = announced.then(|| register(name, marker, scope));
+    let register = announced.then(|| match scope.is_generic() {
+        true => place::template(name, &quote! { Function }),
+        false => register(name, marker, scope),
+    });
     // `mod cossin` around `fn cossin`: behind an import the module hides the carrier of the same name.
     let within = announced && imports::in_module_of_its_name(name);
     let in_module = within.then_some(&companion);

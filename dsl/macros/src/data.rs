@@ -234,15 +234,19 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
     let owns = scope.lifetimes().next().is_none();
     let ranked = (owns && derives("PartialOrd", &it.attrs)).then(|| ranked(name, scope));
     let definition = definition(name, scope, &scope.bounds(bounds), &it.attrs, body);
-    let template = (scope.is_generic() && kind == Kind::Component).then(|| template(name));
+    let template = scope.is_generic().then(|| template(kind, name));
     quote! { #definition #ranked #template }
 }
 
-/// Registers a generic component; if it has no instance, its author is warned that the C lacks it.
-fn template(name: &syn::Ident) -> TokenStream {
-    let (named, site) = (place::named(name), place::site(name));
-    let build = quote! { Other(|__cx| __cx.template(#named, #site)) };
-    place::registered(name, &build)
+/// Registers a generic type; if it has no instance, its author is warned that the C lacks it.
+fn template(kind: Kind, name: &syn::Ident) -> TokenStream {
+    place::template(
+        name,
+        &match kind {
+            Kind::Component => quote! { Component },
+            Kind::Data => quote! { Data },
+        },
+    )
 }
 
 /// Implements the marker trait of types that are ordered by their fields or numbers.
@@ -406,7 +410,8 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
         let arms: Vec<_> = arms.collect();
         let plain = borrows.then(|| plain_while_generating(&it.ident, scope, &arms));
         let definition = definition(&it.ident, scope, &bounds, &it.attrs, kind);
-        quote! { #definition #ranked #plain }
+        let generic = scope.is_generic().then(|| template(Kind::Data, &it.ident));
+        quote! { #definition #ranked #generic #plain }
     });
     quote! { #plain #definition }
 }

@@ -1,5 +1,5 @@
-//! The `use` declarations of the author's file for crates whose functions and traits the DSL replaces.
-//! Examples: `use libm::{sqrtf, atan2f};`, `use num_traits::Zero;`.
+//! The `use` declarations of the author's file for crates whose functions and traits the DSL replaces, and for the DSL's
+//! attributes. Examples: `use libm::{sqrtf, atan2f};`, `use num_traits::Zero;`, `use bessemer::entry;`.
 //!
 //! A macro sees its own item alone, and rustc resolves names later, so the file itself is read, once for each build. So is the file of
 //! the module above, if a name comes from there: `use super::Float;`.
@@ -14,7 +14,8 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use proc_macro2::Span;
+use proc_macro2::{Span, TokenStream, TokenTree};
+use quote::quote;
 use syn::ext::IdentExt;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
@@ -24,6 +25,12 @@ use crate::words::{self, Word};
 
 /// The crates whose names are looked up.
 const CRATES: [&str; 3] = ["libm", "num_traits", "nalgebra"];
+
+/// The DSL's own crate, whose attributes are looked up.
+const OWN: &str = "bessemer";
+
+/// Attributes of it that the macros remove from the items below them.
+const REMOVED: [&str; 3] = ["entry", "c", "function"];
 
 /// Beginnings of a path into a file above, which may import the name: `use super::Float;`, `use crate::*;`.
 const ABOVE: [&str; 2] = ["super", "crate"];
@@ -75,7 +82,44 @@ pub fn home(path: &syn::Path) -> Option<(String, String)> {
         return CRATES.contains(&first.as_str()).then_some((first, last));
     }
     let whole = whole(first)?;
-    Some((whole.first()?.clone(), whole.last()?.clone()))
+    let known = CRATES.contains(&whole.first()?.as_str());
+    known.then_some((whole.first()?.clone(), whole.last()?.clone()))
+}
+
+/// Returns uses of the imported attributes in an item that are removed from it, so that rustc knows the imports are used.
+pub fn uses(item: &TokenStream) -> TokenStream {
+    let mut removed = Vec::new();
+    attributes(item.clone(), &mut removed);
+    let imported = removed.iter().filter(|name| {
+        whole(name).is_some_and(|it| it.len() == 2 && it[0] == OWN && it[1] == text(name))
+    });
+    let uses = imported.map(|name| quote! { #[allow(unused_imports)] use #name as _; });
+    let uses: TokenStream = uses.collect();
+    if uses.is_empty() {
+        uses
+    } else {
+        quote! { const _: () = { #uses }; }
+    }
+}
+
+/// Adds each attribute of [`REMOVED`] in an item, once.
+fn attributes(item: TokenStream, found: &mut Vec<syn::Ident>) {
+    let mut after_sign = false;
+    for token in item {
+        let is_sign = matches!(&token, TokenTree::Punct(sign) if sign.as_char() == '#');
+        if let TokenTree::Group(group) = token {
+            match group.stream().into_iter().next() {
+                Some(TokenTree::Ident(name)) if after_sign => {
+                    let is_removed = REMOVED.iter().any(|it| name == it);
+                    if is_removed && !found.contains(&name) {
+                        found.push(name);
+                    }
+                }
+                _ => attributes(group.stream(), found),
+            }
+        }
+        after_sign = is_sign;
+    }
 }
 
 /// Returns true if a module that is named as an item surrounds it, in its file or as its file.
@@ -226,8 +270,8 @@ impl File {
         let end = |file: &mut File, path: &mut Vec<String>, renamed: Option<&str>| {
             let name = renamed.or(path.last().map(String::as_str)).unwrap_or_default().to_owned();
             let is_known = match &path[..] {
-                [first, _] => CRATES.contains(&&first[..]) || ABOVE.contains(&&first[..]),
-                [first, ..] => CRATES.contains(&&first[..]),
+                [first, _] if ABOVE.contains(&&first[..]) => true,
+                [first, ..] => first == OWN || CRATES.contains(&&first[..]),
                 [] => false,
             };
             if is_known {

@@ -55,7 +55,11 @@ fn expanded(
     let (arguments, item) = (arguments.into(), item.into());
     deep(|| match configured::detour(attribute, &arguments, &item) {
         Some(detour) => detour,
-        None => expand(arguments, item),
+        None => {
+            let uses = imports::uses(&item);
+            let item = expand(arguments, item);
+            quote::quote! { #item #uses }
+        }
     })
 }
 

@@ -35,6 +35,13 @@ pub fn registered(name: &syn::Ident, build: &TokenStream) -> TokenStream {
     }
 }
 
+/// Returns the item that registers a generic item, of which only instances become C.
+pub fn template(name: &syn::Ident, kind: &TokenStream) -> TokenStream {
+    let (named, site) = (named(name), site(name));
+    let kind = quote! { ::bessemer::generate::tree::TemplateKind::#kind };
+    registered(name, &quote! { Other(|__cx| __cx.template(#kind, #named, #site)) })
+}
+
 /// Returns a `bessemer::generate::Named`.
 pub fn named(name: &syn::Ident) -> TokenStream {
     let name = lower::text(name);

@@ -143,14 +143,19 @@ fn told(walk: &Lowering, (begin, end): (Begin, Begin), copy: &TokenStream) -> To
     let slots: Vec<_> = (begin.slots..end.slots).map(lower::slot_name).collect();
     let callees: Vec<_> = (begin.callees..end.callees).map(lower::callee_name).collect();
     let owned: Vec<_> = (begin.operators..end.operators).map(lower::own_name).collect();
-    let constants =
-        walk.constants[begin.constants..end.constants].iter().map(|(slot, path, of)| {
-            let slot = lower::slot_name(*slot);
-            match of {
-                Constant::Value => quote! { ::bessemer::generate::constant(__cx, &#slot, #path) },
-                Constant::Made => quote! { ::bessemer::generate::made(__cx, &#slot, #path) },
-            }
-        });
+    let constants = walk.constants[begin.constants..end.constants].iter().map(|it| {
+        let (slot, imports, path) = (lower::slot_name(it.slot), &it.imports, &it.tokens);
+        let value = match it.constant {
+            // By reference: a `static` cannot be moved out of.
+            Constant::Value => quote! { ::bessemer::generate::constant(__cx, &#slot, &#path) },
+            Constant::Made => quote! { ::bessemer::generate::made(__cx, &#slot, #path) },
+        };
+        if imports.is_empty() {
+            value
+        } else {
+            quote! { { #(#imports)* #value } }
+        }
+    });
     let literals = walk.literals.iter().filter(|slot| (begin.slots..end.slots).contains(slot));
     let literals = literals.map(|slot| lower::slot_name(*slot));
     quote! {

@@ -259,9 +259,10 @@ impl Builder {
         Ty::Named(path)
     }
 
-    /// Adds a generic component.
-    pub fn template(&mut self, named: Named, site: (u32, u32)) {
+    /// Adds a generic item.
+    pub fn template(&mut self, kind: tree::TemplateKind, named: Named, site: (u32, u32)) {
         self.package.templates.push(tree::Template {
+            kind,
             module: named.module.to_owned(),
             name: named.name.to_owned(),
             file: named.file.to_owned(),

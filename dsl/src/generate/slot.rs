@@ -218,7 +218,7 @@ impl<T: DslType + Plain, const N: usize> Evaluated for &[T; N] {
 }
 
 /// Returns the value of a path that rustc evaluated: a constant, or a variant without payload.
-pub fn constant<T: Evaluated>(cx: &mut Builder, _: &Slot<T>, value: T) -> tree::Constant {
+pub fn constant<T: Evaluated>(cx: &mut Builder, _: &Slot<T>, value: &T) -> tree::Constant {
     value.evaluated(cx)
 }
 

@@ -37,9 +37,22 @@ pub struct Package {
     pub errors: Vec<Refusal>,
 }
 
-/// A generic component.
+/// Kind of a generic item.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum TemplateKind {
+    /// A component.
+    Component,
+    /// A type that is no component.
+    Data,
+    /// A free function.
+    Function,
+}
+
+/// A generic item.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Template {
+    /// Kind.
+    pub kind: TemplateKind,
     /// Module.
     pub module: String,
     /// Author's name.

@@ -174,7 +174,8 @@ pub fn reached(context: Context<'_>) -> Vec<bool> {
         let spare = names.has_library() && is_mathematics(&module.functions[id.index()].module);
         storage(id) == Storage::Extern && !spare
     };
-    reachable(module, is_root, |id| storage(id) == Storage::Library)
+    let is_library = |id| storage(id) == Storage::Library || !names.signature(id).parts.is_empty();
+    reachable(module, is_root, is_library)
 }
 
 fn place(context: Context<'_>, span: Span) -> (String, u32, u32) {
@@ -328,13 +329,18 @@ impl Writer<'_> {
         if signature.returned == Returned::Status {
             includes.own.insert(names.status.header.clone());
         }
-        let lowered = lower::function(self.context, id, uses);
+        let mut body = match signature.parts {
+            [] => lower::function(self.context, id, uses).body,
+            parts => {
+                uses.system.insert("math.h");
+                library::body(signature, parts)
+            }
+        };
         let mut head = names.head(signature);
         for (wanted, text) in asked::of(&function.attributes, self.options) {
             asked.insert(wanted);
             head.asked.push(text);
         }
-        let mut body = lowered.body;
         if let Some((fast, name)) = library::instruction(function) {
             uses.system.insert("math.h");
             body = by_instruction(fast, name, &head, body);

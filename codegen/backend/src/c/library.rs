@@ -1,9 +1,12 @@
 //! Functions of the target's own `math.h`, for users who prefer them to the DSL's.
 //!
-//! A function that rounds once (`mul_add`), one that is defined by its expansion (`powi`), and `sin_cos`, which C99
-//! lacks, remain the DSL's.
+//! A function that rounds once (`mul_add`) and one that is defined by its expansion (`powi`) remain the DSL's. `sin_cos`,
+//! which C99 lacks, returns the library's sine and cosine.
 
 use bessemer_ir::Function;
+
+use super::signature::Signature;
+use super::tree::{Expr, Stmt, StmtKind, plain};
 
 /// Source of the elementary functions that the C calls.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,4 +69,27 @@ pub fn name(function: &Function) -> Option<String> {
     let module = function.module.rsplit("::").next()?;
     let (_, names) = DOUBLE.iter().find(|(own, _)| *own == module)?;
     names.iter().find(|(rust, _)| *rust == function.name).map(|(_, c)| (*c).to_owned())
+}
+
+/// Returns the functions of `math.h` whose results a function returns in order; empty unless it is `sin_cos`.
+pub fn parts(function: &Function) -> &'static [&'static str] {
+    if function.owner.is_some() || !is_mathematics(&function.module) {
+        return &[];
+    }
+    match function.name.as_str() {
+        "sin_cos" => &["sin", "cos"],
+        "sin_cosf" => &["sinf", "cosf"],
+        _ => &[],
+    }
+}
+
+/// Returns the body of a function with these [`parts`], whose result is a pair behind its last parameter.
+pub fn body(signature: &Signature, parts: &[&str]) -> Vec<Stmt> {
+    let [argument, result] = &signature.params[..] else { return Vec::new() };
+    let assigned = parts.iter().zip(["first", "second"]).map(|(name, field)| {
+        let pair = Expr::unary("*", Expr::name(&result.name));
+        let value = Expr::call(*name, vec![Expr::name(&argument.name)]);
+        plain(StmtKind::Assign(pair.field(field), "=", value))
+    });
+    assigned.collect()
 }

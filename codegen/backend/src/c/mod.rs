@@ -66,6 +66,8 @@ pub use reserved::is_reserved_globally as is_reserved;
 pub use units::Measured;
 pub use wide::Width;
 
+use std::collections::BTreeSet;
+
 use analysis::Faults;
 use context::Context;
 use given::Conflict;
@@ -141,11 +143,12 @@ impl<'m> Plan<'m> {
     /// Returns the C names of the `math.h` functions that the C calls instead of the DSL's.
     pub fn library_calls(&self) -> Vec<String> {
         let reached = files::reached(self.context());
-        let mut called: Vec<String> = (self.names.functions.iter().zip(reached))
-            .filter(|(it, reached)| *reached && it.storage == names::Storage::Library)
-            .map(|(it, _)| it.name.clone())
-            .collect();
-        called.sort();
-        called
+        let mut called = BTreeSet::new();
+        for (signature, _) in self.names.functions.iter().zip(reached).filter(|(_, it)| *it) {
+            called.extend(signature.parts.iter().map(|name| (*name).to_owned()));
+            let is_theirs = signature.storage == names::Storage::Library;
+            called.extend(is_theirs.then(|| signature.name.clone()));
+        }
+        called.into_iter().collect()
     }
 }

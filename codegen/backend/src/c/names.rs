@@ -320,6 +320,10 @@ impl Names {
                     _ => Storage::Extern,
                 },
                 params: Vec::new(),
+                parts: match options.math {
+                    Math::Portable => &[],
+                    Math::Target => library::parts(function),
+                },
                 returned: Returned::Nothing,
                 header: match &function.attributes.external {
                     Some(header) => header.clone(),
@@ -440,7 +444,8 @@ impl Names {
 
     /// Returns true if functions of a C library replace some of the module's.
     pub fn has_library(&self) -> bool {
-        self.functions.iter().any(|signature| signature.storage == Storage::Library)
+        let is_theirs = |it: &Signature| it.storage == Storage::Library || !it.parts.is_empty();
+        self.functions.iter().any(is_theirs)
     }
 }
 

@@ -54,4 +54,6 @@ pub struct Signature {
     pub returned: Returned,
     /// Header that declares it; for a static function, the header of its source.
     pub header: String,
+    /// Functions of `math.h` whose results it returns; empty if it has a body of its own.
+    pub parts: &'static [&'static str],
 }

@@ -31,7 +31,7 @@ impl Lowering {
         let slot = match (&kind, seen) {
             (_, true) if call::may_refer(expr) => Some(self.glance(expr)),
             (ExprKind::Path(index, _), _) => {
-                let slot = self.constants.get(*index as usize).map(|(slot, ..)| *slot);
+                let slot = self.constants.get(*index as usize).map(|it| it.slot);
                 if let (true, Some(slot)) = (seen, slot) {
                     see_in(slot, expr);
                 }

@@ -13,7 +13,7 @@ use super::names::{site, slot_name, text};
 use super::refuse;
 use super::refuse::Refusals;
 use super::syntax::{bare, is_variant, last_segment, names};
-use super::walk::{Constant, Lowering};
+use super::walk::{Constant, Evaluated, Lowering};
 use crate::owned::associated;
 
 /// Returns the name of a pattern that is only a name, possibly with a type.
@@ -244,12 +244,7 @@ impl Lowering {
     ) -> tree::Expr {
         let slot = self.slot();
         let index = self.constants.len() as u32;
-        let imports = &self.imports;
-        let tokens = match imports.as_slice() {
-            [] => tokens,
-            imports => quote::quote!({ #(#imports)* #tokens }),
-        };
-        self.constants.push((slot, tokens, constant));
+        self.constants.push(Evaluated { slot, imports: self.imports.clone(), tokens, constant });
         let segments: Vec<_> = path.segments.iter().map(|segment| text(&segment.ident)).collect();
         let name = segments.join("::");
         tree::Expr { kind: tree::ExprKind::Path(index, name), site: site(path), slot: Some(slot) }

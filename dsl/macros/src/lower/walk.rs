@@ -41,8 +41,8 @@ pub struct Lowering {
     pub(super) before: Vec<TokenStream>,
     /// Positions in the witness copy at the beginning of each statement, and at the end of the last.
     pub begins: Vec<Begin>,
-    /// Paths that rustc must evaluate: slot, path, and kind of value.
-    pub constants: Vec<(u32, TokenStream, Constant)>,
+    /// Paths that rustc must evaluate.
+    pub constants: Vec<Evaluated>,
     /// Called macros of Rust, without duplicates.
     pub macros: Vec<syn::Ident>,
     /// `const` items of the body, which the builder also needs.
@@ -87,6 +87,18 @@ pub struct Begin {
     pub operators: usize,
     /// Number of constants.
     pub constants: usize,
+}
+
+/// A path that rustc evaluates.
+pub struct Evaluated {
+    /// Slot of its type.
+    pub slot: u32,
+    /// Imports of the blocks around it.
+    pub imports: Vec<syn::ItemUse>,
+    /// The path.
+    pub tokens: TokenStream,
+    /// Kind of its value.
+    pub constant: Constant,
 }
 
 /// Kind of a path that rustc evaluates.

@@ -3,8 +3,10 @@
 //! Each operation counts once, however often it runs; calls do not count. Operations that C computes in 32 bits, or
 //! that compilers compute, do not count; nor do conversions between integers, which add at most a word.
 
-use bessemer_ir::visit::{Visit, walk_expr, walk_stmt};
-use bessemer_ir::{Expr as Ir, ExprKind, Fault, Float, Scalar, Span, Stmt, StmtKind, Type};
+use bessemer_ir::visit::{Access, Visit, walk_expr, walk_stmt};
+use bessemer_ir::{
+    BinaryOp, Expr as Ir, ExprKind, Fault, Float, Place, Scalar, Span, Step, Stmt, StmtKind, Type,
+};
 
 use super::super::wide::{Wide, Width};
 use super::Lower;
@@ -89,7 +91,36 @@ impl Found<'_, '_> {
     }
 }
 
+impl Found<'_, '_> {
+    /// Finds the operations of an index. A processor's addresses have 32 bits, so compilers that optimise compute the sums and products of
+    /// an index in as many.
+    fn index(&mut self, index: &Ir) {
+        match &index.kind {
+            ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul, left, right)
+                if self.lower.range(index).is_some() =>
+            {
+                self.index(left);
+                self.index(right);
+            }
+            _ => self.expr(index),
+        }
+    }
+}
+
 impl Visit for Found<'_, '_> {
+    fn place(&mut self, place: &Place, _: Access) {
+        for step in &place.steps {
+            match step {
+                Step::Field(_) => {}
+                Step::Index(index) | Step::From(index) => self.index(index),
+                Step::Element(row, column) => {
+                    self.index(row);
+                    self.index(column);
+                }
+            }
+        }
+    }
+
     fn stmt(&mut self, stmt: &Stmt) {
         if matches!(stmt.kind, StmtKind::Check { fault: Fault::LeftOut, .. }) {
             // A proved check is in the C only to test the proofs.

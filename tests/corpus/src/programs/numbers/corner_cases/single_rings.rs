@@ -2,6 +2,9 @@
 
 use bessemer::prelude::*;
 
+/// Half the number of readings.
+const HALF: usize = 4;
+
 /// The last readings.
 #[component]
 #[derive(Default)]
@@ -20,6 +23,16 @@ impl SingleRing {
         self.at = (self.at + 1) % 8;
         self.values[self.at as usize] = x;
         self.values[((self.at + 1) % 8) as usize]
+    }
+
+    /// Moves the second half to the first: an index is the sum of a counter and a constant.
+    #[entry(single)]
+    pub fn halve(&mut self, x: f32) -> f32 {
+        for i in 0..HALF {
+            self.values[i] = self.values[i + HALF] + self.values[2 * HALF - 1 - i];
+        }
+        self.values[HALF] = x;
+        self.values[0]
     }
 
     /// The reading some steps before the newest.
