@@ -102,10 +102,10 @@ fn of_module(
     options: &Options,
 ) -> Result<Compiled, Vec<Diagnostic>> {
     let options = &Options { license: license.to_owned(), ..options.clone() };
-    let (explicit, checks) =
-        passes::explicit_with(module.clone(), options.keep_checks).map_err(|errors| {
-            errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>()
-        })?;
+    let choices = passes::Choices { keep: options.keep_checks, tiles: options.kernels.tiles() };
+    let (explicit, checks) = passes::explicit_with(module.clone(), choices).map_err(|errors| {
+        errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>()
+    })?;
     let explicit = passes::lend(explicit, &options.kernels, options.layout != Layout::Array);
     gate(&explicit)?;
     let plan = c::Plan::new(&explicit, options);

@@ -216,7 +216,7 @@ pub const KEYS: &[Key] = &[
             to.options.kernels.mode = [Mode::Exact, Mode::Fast, Mode::Plain][which];
         }),
         default: "\"exact\"",
-        says: "The form of linear algebra kernels: with the bits of the Rust; faster, within stated error bounds; or with the bits of the Rust as plain C99 loops, without vectors, `__asm__` and `#if`.",
+        says: "The form of linear algebra kernels: with the bits of the Rust; faster, within stated error bounds; or with the bits of the Rust as plain C99 loops, without vectors, `__asm__` and `#if`, and with the loops of the source as they are written.",
     },
     Key {
         name: "kernels.processors",
@@ -231,7 +231,7 @@ pub const KEYS: &[Key] = &[
         name: "kernels.code_bytes",
         kind: Kind::Number(u32::MAX, |to, it| to.options.kernels.code_bytes = it.most),
         default: "8192",
-        says: "The largest estimated code size of a kernel, in bytes.",
+        says: "The largest estimated code size of a kernel, in bytes. Below 1024, the loops of the source are not tiled either: each runs pass by pass, as it is written.",
     },
     Key {
         name: "kernels.threads",

@@ -1,6 +1,8 @@
 //! The passes on small modules: before and after side by side, and what is refused.
 
-use bessemer_backend::passes::{Error, Report, Rule, check, explicit, fallible};
+use bessemer_backend::passes::{
+    Choices, Error, Report, Rule, check, explicit, explicit_with, fallible,
+};
 use bessemer_backend::validate::validate;
 use bessemer_ir::text::{parse, print};
 use bessemer_ir::{Fault, Module};
@@ -78,6 +80,23 @@ fn explicit_code_comes_out_as_it_went_in() {
     assert_eq!(bare(&before), bare(&after));
     assert_eq!(report.functions, [vec![]]);
     assert_eq!(fallible(&after), [false]);
+}
+
+#[test]
+fn tiled_loops_come_out_as_they_went_in() {
+    let (once, _) = passed(include_str!("c/tiles.ir"));
+    assert!(print(&once).contains("tile"), "no loop is tiled");
+    let (twice, _) = explicit(once.clone()).expect("explicit");
+    assert_eq!(bare(&once), bare(&twice));
+}
+
+#[test]
+fn no_loop_is_tiled_without_the_choice() {
+    let plain = Choices { tiles: false, ..Choices::default() };
+    let (after, _) = explicit_with(module(include_str!("c/tiles.ir")), plain).expect("explicit");
+    let is_tile = |name: &str| ["tile", "part"].contains(&name);
+    let mut locals = after.functions.iter().flat_map(|function| &function.locals);
+    assert!(!locals.any(|local| is_tile(&local.name)), "{}", bare(&after));
 }
 
 #[test]

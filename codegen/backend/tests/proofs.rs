@@ -1,7 +1,7 @@
 //! The proofs hold: small functions in which a check must not be left out, and beside them others in which it
 //! may. Each is run on every combination of its arguments' edges, before and after the passes.
 
-use bessemer_backend::passes::{Rule, check, explicit, explicit_with};
+use bessemer_backend::passes::{Choices, Rule, check, explicit, explicit_with};
 use bessemer_backend::validate::validate;
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::text::parse;
@@ -104,7 +104,7 @@ fn holds(functions: &str) -> bool {
     // The claim is looked at; the checks, if it is refused, without it.
     let mut free = before.clone();
     free.functions[last].role = bessemer_ir::Role::Entry { infallible: false };
-    let (kept, _) = explicit_with(free.clone(), true).expect("explicit");
+    let (kept, _) = explicit_with(free.clone(), Choices::KEPT).expect("explicit");
     let (after, report) = explicit(free).expect("explicit");
     assert_eq!(report.doubted.concat(), [], "{functions}: what the analysis alone believes");
     assert_eq!(check(&after), [], "{functions}");

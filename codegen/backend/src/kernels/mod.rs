@@ -92,6 +92,16 @@ pub struct Tuning {
     pub processors: Processors,
 }
 
+/// Estimated code size of a loop whose passes run at once, bytes: eight sums of eight terms, in four instructions each.
+const TILED_LOOP: u32 = 1024;
+
+impl Tuning {
+    /// Returns true if passes of an author's loop may run at once.
+    pub fn tiles(&self) -> bool {
+        self.mode != Mode::Plain && TILED_LOOP <= self.code_bytes
+    }
+}
+
 impl Default for Tuning {
     fn default() -> Tuning {
         Tuning { code_bytes: 8 * 1024, mode: Mode::Exact, processors: Processors::Every }

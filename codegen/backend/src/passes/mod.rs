@@ -95,14 +95,34 @@ pub enum Error {
 ///
 /// For each remaining check in an entry point that is declared infallible, or in its callees.
 pub fn explicit(module: Module) -> Result<(Module, Report), Vec<Error>> {
-    explicit_with(module, false)
+    explicit_with(module, Choices::default())
 }
 
-/// Makes a module explicit; with `keep`, proved checks stay in the module and report [`Fault::LeftOut`].
+/// Choices that change the explicit form of a module, and not its meaning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choices {
+    /// True if proved checks stay in the module and report [`Fault::LeftOut`].
+    pub keep: bool,
+    /// True if passes of a loop run at once where they share their loads.
+    pub tiles: bool,
+}
+
+impl Choices {
+    /// The default, with the proved checks.
+    pub const KEPT: Choices = Choices { keep: true, tiles: true };
+}
+
+impl Default for Choices {
+    fn default() -> Choices {
+        Choices { keep: false, tiles: true }
+    }
+}
+
+/// Makes a module explicit, by these choices.
 ///
 /// # Errors
 /// As [`explicit`].
-pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec<Error>> {
+pub fn explicit_with(module: Module, choices: Choices) -> Result<(Module, Report), Vec<Error>> {
     let mut report = Report::default();
     let (mut callees, mut results, mut shown) = (Vec::new(), Vec::new(), Vec::new());
     let (mut functions, mut kept) = (Vec::new(), Vec::new());
@@ -124,12 +144,13 @@ pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec
                 }
             };
         };
-        if keep {
+        if choices.keep {
             let kept_all = statements::function(&module, before, function, &doubted, true);
             kept.push(kept_all.function);
         }
         Proved.block(&mut done.body);
-        if let Some(tiled) = tiles::tiled(&module, &callees, &done)
+        if choices.tiles
+            && let Some(tiled) = tiles::tiled(&module, &callees, &done)
             && verified(&module, &tiled, &shown).0.is_empty()
         {
             done = tiled;
@@ -146,7 +167,7 @@ pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec
     if !errors.is_empty() {
         return Err(errors);
     }
-    let mut module = if keep { Module { functions: kept, ..module } } else { module };
+    let mut module = if choices.keep { Module { functions: kept, ..module } } else { module };
     identities::name(&mut module);
     Ok((module, report))
 }

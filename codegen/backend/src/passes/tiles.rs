@@ -123,20 +123,20 @@ impl Tiles<'_> {
         let splat = Expr { kind: ExprKind::Splat(Box::new(start.clone())), ty, span: start.span };
         let begin = StmtKind::Let { local: sums, value: Some(splat) };
         let terms = row(self, add);
-        let terms = self.parts(&inner, terms);
+        let terms = self.parts(&inner, terms, &PARTS);
         let end = row(self, last);
         let body =
             vec![Stmt { kind: begin, ..first.clone() }, Stmt { kind: terms, ..adds.clone() }, end];
         Some(StmtKind::for_below(tile, Expr::literal_like(passes / TILE, outer.to), Block(body)))
     }
 
-    /// Returns the loop over the terms, in parts if it has whole ones.
-    fn parts(&mut self, inner: &Counted<'_>, mut terms: Stmt) -> StmtKind {
+    /// Returns the loop over the terms, in parts of one of these lengths if it has whole ones.
+    fn parts(&mut self, inner: &Counted<'_>, mut terms: Stmt, lengths: &[u64]) -> StmtKind {
         let (ty, span) = (inner.to.ty.clone(), terms.span);
         let k = self.local(inner.variable, ty.clone());
         let passes = self.number(inner.to).unwrap_or_default();
         let whole = |part: &u64| passes.is_multiple_of(*part) && passes > *part;
-        let Some(count) = PARTS.into_iter().find(whole) else {
+        let Some(count) = lengths.iter().copied().find(whole) else {
             let now = Expr::local(k, &ty, span);
             Put { variable: inner.variable, now, sum: None }.stmt(&mut terms);
             return StmtKind::for_below(k, inner.to.clone(), Block(vec![terms]));

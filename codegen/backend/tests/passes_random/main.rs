@@ -3,7 +3,7 @@
 
 mod generate;
 
-use bessemer_backend::passes::{Report, check, explicit, explicit_with};
+use bessemer_backend::passes::{Choices, Report, check, explicit, explicit_with};
 use bessemer_backend::validate::validate;
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::visit::{VisitMut, walk_stmt_mut};
@@ -78,7 +78,7 @@ fn compare(seed: u64, count: &mut Count) {
     let mut after = passed(&before, seed, count);
     after.functions.iter_mut().for_each(|function| Mark.block(&mut function.body));
     // This module keeps the proved checks.
-    let (kept, _) = explicit_with(before.clone(), true).expect("explicit before");
+    let (kept, _) = explicit_with(before.clone(), Choices::KEPT).expect("explicit before");
     show(&kept, "kept.ir");
     assert_eq!(validate(&kept), Ok(()), "seed {seed}");
     let (mut first, mut second) = (Interpreter::new(&before), Interpreter::new(&after));

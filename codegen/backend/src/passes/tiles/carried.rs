@@ -1,11 +1,12 @@
 //! Four or two passes of an outer loop at once, so that an element which each of them changes stays in a register
-//! between them.
+//! between them. Two or four such elements follow each other, so that a state which moves on with each, as `x2 = x1`, is
+//! renamed and not moved.
 //!
 //! ```text
 //! for i in 0..8 {                       for tile in 0..2 {
-//!     for j in 0..64 {                      for j in 0..64 {
-//!         block[j] = f(state[i], …);            for i in 0..4 { block[j] = f(state[4 * tile + i], …); }
-//!     }                                     }
+//!     for j in 0..64 {                      for part in 0..32 { for j in 0..2 {
+//!         block[j] = f(state[i], …);            for i in 0..4 { block[2 * part + j] = f(state[4 * tile + i], …); }
+//!     }                                     } }
 //! }                                     }
 //! ```
 //!
@@ -23,6 +24,10 @@ const AT_ONCE: [(u64, &str); 2] = [
     (4, "Four passes at once: what one leaves to the next stays in a register."),
     (2, "Two passes at once: what one leaves to the next stays in a register."),
 ];
+/// Number of copies of the body: passes at once, of each element that follows.
+const COPIES: u64 = 8;
+/// Number of registers of each element that follows.
+const OWN: u64 = 2;
 /// Largest number of values that the passes keep in registers.
 const REGISTERS: u64 = 28;
 /// Fewest passes of the inner loop.
@@ -58,7 +63,9 @@ impl Tiles<'_> {
         let mut body = inner.body.clone();
         Put { variable: outer.variable, now, sum: None }.block(&mut body);
         let some = written_out(i, Expr::literal_like(count, outer.to), body, count, stmt.span);
-        let kind = StmtKind::for_below(inner.variable, inner.to.clone(), Block(vec![some]));
+        let following = COPIES / count;
+        let has_room = count * kept + OWN * following <= REGISTERS;
+        let kind = self.parts(&inner, some, &[following][..usize::from(has_room)]);
         let said = vec![said.to_owned()];
         let Some(tile) = tile else { return Some((kind, [&inside.comments[..], &said].concat())) };
         let body = Block(vec![Stmt { kind, ..inside.clone() }]);
