@@ -107,12 +107,9 @@ void airframe_effectiveness(const airframe_t *self,
     airframe_drag_factors(self, drag);
     double spins[AIRFRAME_MAX_MOTORS];
     airframe_spins(self, spins);
-    for (uint32_t i = 0U; i < 32U; i++) {
-        effect[i] = 0.0;
-    }
     for (uint32_t n = 0U; n < AIRFRAME_MAX_MOTORS; n++) {
         const double angle = airframe_arm_angle(self->layout, self->motors, n);
-        effect[4U * n] = thrust[n];
+        effect[0U + 4U * n] = thrust[n];
         effect[1U + 4U * n] = thrust[n] * self->arm * sine_sin(angle);
         effect[2U + 4U * n] = -thrust[n] * self->arm * sine_cos(angle);
         effect[3U + 4U * n] = spins[n] * drag[n];
@@ -129,15 +126,15 @@ void airframe_allocation(const airframe_t *self,
     double spins[AIRFRAME_MAX_MOTORS];
     airframe_spins(self, spins);
     const double count = (double)self->motors;
-    for (uint32_t i = 0U; i < 32U; i++) {
+    for (uint32_t i = 0U; i < AIRFRAME_MAX_MOTORS * 4U; i++) {
         share[i] = 0.0;
     }
     for (uint32_t n = 0U; n < AIRFRAME_MAX_MOTORS; n++) {
         if (thrust[n] > 0.0 && drag[n] > 0.0) {
             const double angle = airframe_arm_angle(self->layout, self->motors, n);
             const double leverage = 2.0 / (count * thrust[n] * self->arm);
-            share[n] = 1.0 / (count * thrust[n]);
-            share[n + 8U] = leverage * sine_sin(angle);
+            share[n + 8U * 0U] = 1.0 / (count * thrust[n]);
+            share[n + 8U * 1U] = leverage * sine_sin(angle);
             share[n + 8U * 2U] = -leverage * sine_cos(angle);
             share[n + 8U * 3U] = spins[n] / (count * drag[n]);
         }

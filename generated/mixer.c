@@ -47,10 +47,11 @@ void mixer_mix(const mixer_t *self, const wrench_t *wanted,
     double tilt[AIRFRAME_MAX_MOTORS];
     double twist[AIRFRAME_MAX_MOTORS];
     for (uint32_t n = 0U; n < AIRFRAME_MAX_MOTORS; n++) {
-        const double own = sqrt(max_f64(self->allocation[n] * wanted->thrust, 0.0));
+        const double own = sqrt(max_f64(self->allocation[n + 8U * 0U] * wanted->thrust, 0.0));
         const double speed = own + feed_forward[n];
         lift[n] = speed * speed;
-        tilt[n] = self->allocation[n + 8U] * torque[0] + self->allocation[n + 8U * 2U] * torque[1];
+        tilt[n] = self->allocation[n + 8U * 1U] * torque[0]
+            + self->allocation[n + 8U * 2U] * torque[1];
         twist[n] = self->allocation[n + 8U * 3U] * torque[2];
     }
     const double largest = self->largest_command * self->square_per_command;
@@ -68,9 +69,9 @@ void mixer_mix(const mixer_t *self, const wrench_t *wanted,
 
 void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *BESSEMER_RESTRICT wrench)
 {
-    double squares[8];
+    double squares[AIRFRAME_MAX_MOTORS];
     BESSEMER_FEW_PASSES
-    for (uint32_t i = 0U; i < 8U; i++) {
+    for (uint32_t i = 0U; i < AIRFRAME_MAX_MOTORS; i++) {
         squares[i] = command->speeds[i] * command->speeds[i];
     }
     double done[4];
@@ -99,9 +100,9 @@ static void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MAX_MOTORS
     const double turn_share = mixer_share(kept, twist, largest);
 
     /* Change of the lift that keeps every motor within its limits. */
-    double wanted[8];
+    double wanted[AIRFRAME_MAX_MOTORS];
     BESSEMER_FEW_PASSES
-    for (uint32_t i = 0U; i < 8U; i++) {
+    for (uint32_t i = 0U; i < AIRFRAME_MAX_MOTORS; i++) {
         wanted[i] = lift[i] + (kept[i] + twist[i] * turn_share);
     }
     double least = largest;

@@ -44,7 +44,7 @@ void packet_defaults(packet_t *self)
 void packet_none(packet_t *packet)
 {
     packet->length = UINT64_C(0);
-    for (uint32_t i = 0U; i < 64U; i++) {
+    for (uint32_t i = 0U; i < PACKET_MAX_BYTES; i++) {
         packet->bytes[i] = 0U;
     }
 }

@@ -108,7 +108,7 @@ void motion_after(const motion_t *self, const airframe_t *airframe, const wrench
 void airframe_wrench(const airframe_t *self, const double speeds[AIRFRAME_MAX_MOTORS],
     wrench_t *BESSEMER_RESTRICT wrench)
 {
-    double squares[8];
+    double squares[AIRFRAME_MAX_MOTORS];
     for (uint32_t n = 0U; n < AIRFRAME_MAX_MOTORS; n++) {
         squares[n] = speeds[n] * speeds[n];
     }

@@ -159,13 +159,13 @@ void reduction_reduce_huge(double x, reduced_angle_t *reduced_angle)
     } else {
         sign = 1.0;
     }
-    uint64_t result_choice;
+    uint64_t quadrant;
     if (backwards) {
-        result_choice = (UINT64_C(4) - quarter_turns) & UINT64_C(3);
+        quadrant = (UINT64_C(4) - quarter_turns) & UINT64_C(3);
     } else {
-        result_choice = quarter_turns & UINT64_C(3);
+        quadrant = quarter_turns & UINT64_C(3);
     }
     reduced_angle->high = sign * angle.high;
     reduced_angle->low = sign * angle.low;
-    reduced_angle->quadrant = result_choice;
+    reduced_angle->quadrant = quadrant;
 }

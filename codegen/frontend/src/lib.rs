@@ -1,7 +1,7 @@
 //! Lowers the tree from the DSL to the typed IR, or reports errors at the author's lines.
 //!
 //! [`typify`] is the lowering. [`diagnostic`] formats the errors, with lines from [`source`]. [`termination`] proves
-//! that a loop ends. [`fuse`] substitutes temporaries that evaluation order does not need. `axes` checks the axes of tables.
+//! that a loop ends. [`fuse`] substitutes temporaries that evaluation order does not need. `takers` names those that stay. `axes` checks the axes of tables.
 //!
 //! Must not know: the passes over the IR, and C.
 
@@ -13,5 +13,6 @@ pub mod diagnostic;
 pub mod fuse;
 pub mod source;
 mod standard;
+mod takers;
 mod termination;
 pub mod typify;

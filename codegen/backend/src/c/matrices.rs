@@ -21,29 +21,20 @@ pub enum Layout {
     Array,
 }
 
-/// Returns `near + count * far`, unsigned unless both indices are literals. Literal indices keep their neutral terms: a
-/// reader sees row and column of every element alike. Otherwise those terms go.
+/// Returns `near + count * far`, unsigned unless both indices are literals. Neutral terms stay: a reader sees row and
+/// column of every element alike.
 fn flat(near: Expr, count: u32, far: Expr) -> Expr {
     let is_number = |index: &Expr| matches!(index, Expr::Name(text) if text.bytes().all(|it| it.is_ascii_digit()));
     let count = Expr::name(count.to_string());
-    if is_number(&near) && is_number(&far) {
-        return Expr::binary("+", near, Expr::binary("*", count, far));
-    }
-    let term = |index: Expr| match index {
-        Expr::Name(text) if is_number(&Expr::name(&text)) => Expr::Name(text + "U"),
-        other => other,
+    let terms = [near, count, far];
+    let [near, count, far] = match is_number(&terms[0]) && is_number(&terms[2]) {
+        true => terms,
+        false => terms.map(|index| match index {
+            Expr::Name(text) if is_number(&Expr::name(&text)) => Expr::Name(text + "U"),
+            other => other,
+        }),
     };
-    let zero = Expr::name("0");
-    let start = match far {
-        far if far == zero => None,
-        far if far == Expr::name("1") => Some(term(count)),
-        far => Some(Expr::binary("*", term(count), term(far))),
-    };
-    match start {
-        None => near,
-        Some(start) if near == zero => start,
-        Some(start) => Expr::binary("+", term(near), start),
-    }
+    Expr::binary("+", near, Expr::binary("*", count, far))
 }
 
 /// A length, with the name of its constant if it has one.

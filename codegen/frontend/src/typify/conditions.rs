@@ -115,6 +115,7 @@ impl Lowering<'_, '_> {
     fn right_behind(&mut self, op: LogicOp, left: Expr, right: Expr, mut inner: Vec<Stmt>) -> Expr {
         let span = left.span;
         let place = self.assigned("holds", left);
+        self.locals.note_unnamed(place.root);
         let held = place.load();
         if op == LogicOp::Or || right.kind != ExprKind::Literal(1) {
             inner.push(Stmt::new(StmtKind::Assign { place, value: right }, span));

@@ -423,7 +423,9 @@ impl Lowering<'_, '_> {
         };
         let span = self.span(expr.site);
         let name = self.role_name("choice");
-        Ok(self.decided_by(name, ty, Some(expr), span)?.load())
+        let place = self.decided_by(name, ty, Some(expr), span)?;
+        self.locals.note_unnamed(place.root);
+        Ok(place.load())
     }
 
     /// Lowers operands left to right. Each but the last is held before the next.
@@ -439,15 +441,24 @@ impl Lowering<'_, '_> {
         Ok(values)
     }
 
-    /// Holds an operand. A computed aggregate is named by its type.
+    /// Holds an operand. A computed aggregate is named by its type, the result of a call by the function.
     pub(super) fn operand_held(&mut self, role: &str, value: Expr) -> Expr {
         let computed =
             !matches!(value.kind, ExprKind::Load(_) | ExprKind::Struct(_) | ExprKind::Array(_));
-        match self.atomic(role, value) {
-            Err(value) if computed && !value.ty.is_word() => self.hold(value).load(),
-            Err(value) => self.atom_place(role, value).load(),
-            Ok(value) => value,
-        }
+        let value = match self.atomic(role, value) {
+            Err(value) if computed && !value.ty.is_word() => return self.hold(value).load(),
+            Err(value) => value,
+            Ok(value) => return value,
+        };
+        let place = match &value.kind {
+            ExprKind::Call(callee, _) => {
+                let function = self.cx.module.functions[callee.index()].name.clone();
+                self.atom_place(&function, value)
+            }
+            _ => self.atom_place(role, value),
+        };
+        self.locals.note_unnamed(place.root);
+        place.load()
     }
 
     /// Lowers operands left to right and holds each in a local with the name of its role.

@@ -18,6 +18,7 @@ use super::syntax::{control_with_value, is_of_library};
 use super::value::Value;
 use super::{Context, Needed, Result, names, problem, refusals, refused};
 use crate::fuse::fuse;
+use crate::takers;
 
 /// A lowered function, with facts that its callers need.
 pub(super) struct Lowered {
@@ -188,6 +189,7 @@ impl Lowering<'_, '_> {
             kernel: None,
             span,
         };
+        takers::name(&self.cx.module, &mut function, &|local| facts.is_unnamed(local));
         fuse(&self.cx.module, &mut function, &|local| facts.is_atom(local));
         Ok(Lowered { function, absent: std::mem::take(&mut self.absent), given_back })
     }

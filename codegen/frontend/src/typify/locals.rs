@@ -42,6 +42,8 @@ struct Facts {
     optional: bool,
     /// True if the declaration needs an initial value.
     valued: bool,
+    /// True if only the name's first part says anything.
+    unnamed: bool,
 }
 
 impl Locals {
@@ -104,8 +106,19 @@ impl Locals {
         self.facts(local).valued = true;
     }
 
+    /// Records that nothing but its role has named a local yet.
+    pub fn note_unnamed(&mut self, local: LocalId) {
+        self.facts(local).unnamed = true;
+    }
+
+    /// Returns true if nothing but its role has named a local.
+    pub fn is_unnamed(&self, local: LocalId) -> bool {
+        self.facts[local.index()].unnamed
+    }
+
     /// Keeps a temporary in the C, with a name of the author's.
     pub fn note_named(&mut self, local: LocalId) {
+        self.facts(local).unnamed = false;
         let origin = &mut self.facts(local).origin;
         if *origin == Origin::Atom {
             *origin = Origin::Temporary;
@@ -117,6 +130,7 @@ impl Locals {
         let was = self.is_temporary(local);
         if was {
             self.facts(local).origin = Origin::Variable;
+            self.facts(local).unnamed = false;
         }
         was
     }

@@ -148,6 +148,7 @@ impl Lowering<'_, '_> {
         span: Span,
     ) -> Expr {
         let place = self.assigned(role, value);
+        self.locals.note_unnamed(place.root);
         let held = place.load();
         let assign = StmtKind::Assign { place, value: other };
         self.follow(&assign);

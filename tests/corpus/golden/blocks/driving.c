@@ -46,11 +46,11 @@ void resolver_step(resolver_t *BESSEMER_RESTRICT self, const pll_gains_f64_t *ga
     const double angle = pll_f64_step(&self->pll, gains, vector);
     stator_f64_t flux;
     flux_observer_f64_step(&self->observer, motor, vector, &STATOR_DEFAULT, &flux);
-    const double result_left = pll_f64_speed(&self->pll);
+    const double result_speed = pll_f64_speed(&self->pll);
     duties_f64_t duties;
     drives_space_vector_f64(&flux, 24.0, &duties);
     result->first = angle;
-    result->second = result_left + duties.duties[0];
+    result->second = result_speed + duties.duties[0];
 }
 
 /* resolver.h */

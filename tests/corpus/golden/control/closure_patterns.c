@@ -75,11 +75,11 @@ int32_t closure_patterns_scaled(const pair_i32_i32_t *pair, const pair_i32_i32_t
 void closure_patterns_counted(const option_u8_t *value, uint8_t n,
     triple_u8_u32_u8x3_t *BESSEMER_RESTRICT result)
 {
-    uint8_t result_choice;
+    uint8_t first;
     if (value->is_some) {
-        result_choice = 1U;
+        first = 1U;
     } else {
-        result_choice = 0U;
+        first = 0U;
     }
     uint32_t sum = 0U;
     for (uint8_t i = 0U; i < n; i++) {
@@ -88,7 +88,7 @@ void closure_patterns_counted(const option_u8_t *value, uint8_t n,
     for (uint32_t i = 0U; i < 3U; i++) {
         result->third[i] = n;
     }
-    result->first = result_choice;
+    result->first = first;
     result->second = sum;
 }
 

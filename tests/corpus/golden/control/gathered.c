@@ -76,11 +76,11 @@ bessemer_status_t gathered_balance(const int32_t values[5], int32_t *BESSEMER_RE
         reduced.is_some = true;
         reduced.value = reduced_choice;
     }
-    int32_t result_choice = 0;
+    int32_t result_value = 0;
     if (reduced.is_some) {
-        result_choice = reduced.value;
+        result_value = reduced.value;
     }
-    *result = result_choice;
+    *result = result_value;
     return BESSEMER_STATUS_OK;
 }
 

@@ -37,11 +37,11 @@ double leaving_closures_roots(double x, double y)
             result_choice.value = option.value + option_2.value;
         }
     }
-    double result_choice_2 = -1.0;
+    double result = -1.0;
     if (result_choice.is_some) {
-        result_choice_2 = result_choice.value;
+        result = result_choice.value;
     }
-    return result_choice_2;
+    return result;
 }
 
 int32_t leaving_closures_known(const int32_t readings[6], int32_t scale)

@@ -5,11 +5,11 @@
 double let_else_mean(const option_f64_t *one, const option_f64_t *other)
 {
     if (!one->is_some) {
-        double result_choice = 0.0;
+        double result = 0.0;
         if (other->is_some) {
-            result_choice = other->value;
+            result = other->value;
         }
-        return result_choice;
+        return result;
     }
     const double first = one->value;
     if (!other->is_some) {

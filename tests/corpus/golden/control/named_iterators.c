@@ -68,12 +68,12 @@ double named_iterators_shape(double x, bool up)
 
 void named_iterators_magnitudes(int8_t x, int64_t y, pair_i8_i64_t *result)
 {
-    int64_t result_choice;
+    int64_t second;
     if (y < INT64_C(0)) {
-        result_choice = saturating_sub_i64(INT64_C(0), y);
+        second = saturating_sub_i64(INT64_C(0), y);
     } else {
-        result_choice = y;
+        second = y;
     }
     result->first = saturating_sub_i8(0, x);
-    result->second = result_choice;
+    result->second = second;
 }

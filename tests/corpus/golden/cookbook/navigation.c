@@ -131,16 +131,16 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
     const double row_2_2 = covariance->elements[2 + 12 * 2]
         + period * covariance->elements[5 + 12 * 2];
     for (uint32_t k = 3U; k < 12U; k++) {
-        const double row_0 = covariance->elements[12U * k]
+        const double row_0 = covariance->elements[0U + 12U * k]
             + period * covariance->elements[3U + 12U * k];
         const double row_1 = covariance->elements[1U + 12U * k]
             + period * covariance->elements[4U + 12U * k];
         const double row_2 = covariance->elements[2U + 12U * k]
             + period * covariance->elements[5U + 12U * k];
-        covariance->elements[12U * k] = row_0;
-        covariance->elements[k] = row_0;
+        covariance->elements[0U + 12U * k] = row_0;
+        covariance->elements[k + 12U * 0U] = row_0;
         covariance->elements[1U + 12U * k] = row_1;
-        covariance->elements[k + 12U] = row_1;
+        covariance->elements[k + 12U * 1U] = row_1;
         covariance->elements[2U + 12U * k] = row_2;
         covariance->elements[k + 12U * 2U] = row_2;
     }

@@ -19,11 +19,11 @@ double programs_data_options_slope_or(const double from[2], const double to[2], 
 {
     option_f64_t option;
     programs_data_options_slope(from, to, &option);
-    double result_choice = other;
+    double result = other;
     if (option.is_some) {
-        result_choice = option.value;
+        result = option.value;
     }
-    return result_choice;
+    return result;
 }
 
 void programs_data_options_better(const option_u8_t *one, const option_u8_t *other,

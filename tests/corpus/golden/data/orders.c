@@ -52,8 +52,8 @@ static void orders_sort_by_in_scheduled(orders_task_t values[], uint64_t values_
         for (uint64_t at = i; at-- > UINT64_C(0);) {
             const orders_task_t one = values[at];
             const orders_task_t next = values[at + UINT64_C(1)];
-            const ordering_t value_choice = orders_first(&next, &one);
-            if (!comparison_is_less(value_choice)) {
+            const ordering_t order = orders_first(&next, &one);
+            if (!comparison_is_less(order)) {
                 break;
             }
             values[at] = next;

@@ -118,13 +118,13 @@ void slice_edits_framed(const list12_u8_t *frame, option_pair_u16_bool_t *BESSEM
         }
     }
     const uint8_t result_bytes[2] = {frame->items[0], frame->items[1]};
-    const uint16_t result_part = (uint16_t)(((uint32_t)result_bytes[0] << 8U) | result_bytes[1]);
+    const uint16_t first = (uint16_t)(((uint32_t)result_bytes[0] << 8U) | result_bytes[1]);
     const uint8_t result_bytes_2[2] = {
         frame->items[min_u64(frame->length, UINT64_C(12)) - 2U - 2U + 2U],
         frame->items[min_u64(frame->length, UINT64_C(12)) - 2U - 2U + 2U + 1U]
     };
     result->is_some = true;
-    result->value.first = result_part;
+    result->value.first = first;
     result->value.second = sum == (uint16_t)(((uint32_t)result_bytes_2[0] << 8U)
         | result_bytes_2[1]);
 }

@@ -64,11 +64,11 @@ static bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t
         result_found.is_some = true;
         result_found.value = values[0];
     }
-    int16_t result_choice = 0;
+    int16_t result_value = 0;
     if (result_found.is_some) {
-        result_choice = result_found.value;
+        result_value = result_found.value;
     }
-    *result = result_choice;
+    *result = result_value;
     return BESSEMER_STATUS_OK;
 }
 

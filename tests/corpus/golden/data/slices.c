@@ -24,8 +24,8 @@ void programs_data_slices_centre(double values[], uint64_t values_length)
 
 double programs_data_slices_trend(const double values[8])
 {
-    const double result_left = programs_data_slices_mean(&values[4], UINT64_C(4));
-    return result_left - programs_data_slices_mean(values, UINT64_C(4));
+    const double result_mean = programs_data_slices_mean(&values[4], UINT64_C(4));
+    return result_mean - programs_data_slices_mean(values, UINT64_C(4));
 }
 
 bessemer_status_t programs_data_slices_window(const double values[8], uint64_t from,

@@ -115,13 +115,13 @@ void mixing_init(mixing_t *self)
 
 double mixing_step(mixing_t *self, double sample, bool fast)
 {
-    double state_choice;
+    double share;
     if (fast) {
-        state_choice = 0.5;
+        share = 0.5;
     } else {
-        state_choice = 0.125;
+        share = 0.125;
     }
-    self->state = mixing_mix_in_step(self->state, sample, state_choice);
+    self->state = mixing_mix_in_step(self->state, sample, share);
     return self->state;
 }
 

@@ -37,7 +37,7 @@ bessemer_status_t lent_places_commanded(const head_t *head, uint64_t i, double e
     if (i >= UINT64_C(3)) {
         return BESSEMER_STATUS_INDEX;
     }
-    const double result_left = axis_command(&head->axes[i], error);
+    const double result_command = axis_command(&head->axes[i], error);
     if (head->main >= UINT64_C(3)) {
         return BESSEMER_STATUS_INDEX;
     }
@@ -46,7 +46,7 @@ bessemer_status_t lent_places_commanded(const head_t *head, uint64_t i, double e
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    *result = result_left + head->axes[head->main].gain + axis.limit;
+    *result = result_command + head->axes[head->main].gain + axis.limit;
     return BESSEMER_STATUS_OK;
 }
 

@@ -97,9 +97,9 @@ void references_to_values_init(references_to_values_t *self)
 uint32_t references_to_values_step(references_to_values_t *self, uint32_t x)
 {
     const uint32_t selector = self->last + x;
-    const uint32_t last_left = references_to_values_shared(selector);
-    const uint32_t last_value = references_to_values_exclusive(x);
-    self->last = last_left ^ ((last_value << 1U) | (last_value >> 31U))
+    const uint32_t last_shared = references_to_values_shared(selector);
+    const uint32_t last_exclusive = references_to_values_exclusive(x);
+    self->last = last_shared ^ ((last_exclusive << 1U) | (last_exclusive >> 31U))
         ^ references_to_values_repeated(x % 1000U);
     return self->last ^ selector;
 }

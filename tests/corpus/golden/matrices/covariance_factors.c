@@ -92,14 +92,14 @@ void covariance_factors_full_rank(const float p[9], pair_bool_f32_t *BESSEMER_RE
     option_ldl_f32_3_t factors;
     ldl_factored_f32_3(p, &factors);
     const option_ldl_f32_3_t *const option = &factors;
-    const bool result_choice = option->is_some && ldl_f32_3_is_positive(&option->value);
-    float result_choice_2;
+    const bool first = option->is_some && ldl_f32_3_is_positive(&option->value);
+    float second;
     if (factors.is_some) {
         const ldl_f32_3_t *const it = &factors.value;
-        result_choice_2 = ldl_f32_3_determinant(it);
+        second = ldl_f32_3_determinant(it);
     } else {
-        result_choice_2 = 0.0F;
+        second = 0.0F;
     }
-    result->first = result_choice;
-    result->second = result_choice_2;
+    result->first = first;
+    result->second = second;
 }

@@ -147,8 +147,8 @@ bessemer_status_t integer_matrices_cleared(uint8_t map[16], uint64_t row)
         map[(uint32_t)row + 4U * column] = 9U;
     }
     for (uint32_t i = 0U; i < 4U; i++) {
-        const uint8_t held = map[i];
-        map[i] = map[i + 4U * 3U];
+        const uint8_t held = map[i + 4U * 0U];
+        map[i + 4U * 0U] = map[i + 4U * 3U];
         map[i + 4U * 3U] = held;
     }
     matrix_edit_fill_lower_triangle_u8_4_4(map, 7U, UINT64_C(2));

@@ -7,7 +7,7 @@ void programs_matrices_least_squares_line(const double x[6], const double y[6],
 {
     double rows[12] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     for (uint32_t k = 0U; k < 6U; k++) {
-        rows[k + 6U] = x[k];
+        rows[k + 6U * 1U] = x[k];
     }
     qr_f64_6_2_t qr;
     qr_factored_f64_6_2(rows, &qr);

@@ -8,7 +8,7 @@ void lines_read(const double m[12], const double w[4],
     double far_ = 0.0;
     uint32_t left = 1U;
     for (uint32_t i = 0U; i < 4U; i++) {
-        const double c[3] = {m[3U * i], m[1U + 3U * i], m[2U + 3U * i]};
+        const double c[3] = {m[0U + 3U * i], m[1U + 3U * i], m[2U + 3U * i]};
         if (left > 0U) {
             left -= 1U;
         } else {
@@ -18,7 +18,7 @@ void lines_read(const double m[12], const double w[4],
     double zipped = -0.0;
     uint32_t others_taken = 0U;
     for (uint32_t column = 0U; column < 4U; column++) {
-        const double c[3] = {m[3U * column], m[1U + 3U * column], m[2U + 3U * column]};
+        const double c[3] = {m[0U + 3U * column], m[1U + 3U * column], m[2U + 3U * column]};
         option_f64_t other = {.is_some = false};
         if (others_taken < 4U) {
             const uint32_t index = others_taken;
@@ -34,7 +34,9 @@ void lines_read(const double m[12], const double w[4],
     double both = -0.0;
     uint32_t left_2 = 1U;
     for (uint32_t row = 0U; row < 3U; row++) {
-        const double row_2[4] = {m[row], m[row + 3U], m[row + 3U * 2U], m[row + 3U * 3U]};
+        const double row_2[4] = {
+            m[row + 3U * 0U], m[row + 3U * 1U], m[row + 3U * 2U], m[row + 3U * 3U]
+        };
         if (left_2 > 0U) {
             left_2 -= 1U;
         } else {
@@ -42,12 +44,14 @@ void lines_read(const double m[12], const double w[4],
         }
     }
     for (uint32_t row = 0U; row < 3U; row++) {
-        const double row_2[4] = {m[row], m[row + 3U], m[row + 3U * 2U], m[row + 3U * 3U]};
+        const double row_2[4] = {
+            m[row + 3U * 0U], m[row + 3U * 1U], m[row + 3U * 2U], m[row + 3U * 3U]
+        };
         both += row_2[0];
     }
     option_pair_usize_vector3_f64_t find = {.is_some = false};
     for (uint32_t column = 4U; column-- > 0U;) {
-        const double c[3] = {m[3U * column], m[1U + 3U * column], m[2U + 3U * column]};
+        const double c[3] = {m[0U + 3U * column], m[1U + 3U * column], m[2U + 3U * column]};
         if (c[0] > 1.0) {
             find.is_some = true;
             find.value.first = column;
@@ -83,14 +87,14 @@ void lines_written(double m[BESSEMER_RESTRICT 12], const double w[4])
         if (!other.is_some) {
             break;
         }
-        double column_2[3] = {m[3U * column], m[1U + 3U * column], m[2U + 3U * column]};
+        double column_2[3] = {m[0U + 3U * column], m[1U + 3U * column], m[2U + 3U * column]};
         column_2[0] *= other.value;
         column_2[1] *= other.value;
         column_2[2] *= other.value;
         for (uint32_t row = 0U; row < 3U; row++) {
             m[row + 3U * column] = column_2[row];
         }
-        if (m[3U * column] > 5.0) {
+        if (m[0U + 3U * column] > 5.0) {
             break;
         }
     }
@@ -120,7 +124,7 @@ void lines_extremes(const float m[12], pair_option_usize_option_f32_t *BESSEMER_
 {
     option_pair_usize_f32_t found = {.is_some = false};
     for (uint32_t column = 0U; column < 4U; column++) {
-        const float column_2[3] = {m[3U * column], m[1U + 3U * column], m[2U + 3U * column]};
+        const float column_2[3] = {m[0U + 3U * column], m[1U + 3U * column], m[2U + 3U * column]};
         if (found.is_some) {
             const pair_usize_f32_t b = {.first = column, .second = column_2[0]};
             if (!sort_below_f32(b.second, found.value.second)) {
@@ -144,7 +148,9 @@ void lines_extremes(const float m[12], pair_option_usize_option_f32_t *BESSEMER_
     result->second.is_some = false;
     result->second.value = 0.0F;
     for (uint32_t row = 0U; row < 3U; row++) {
-        const float row_2[4] = {m[row], m[row + 3U], m[row + 3U * 2U], m[row + 3U * 3U]};
+        const float row_2[4] = {
+            m[row + 3U * 0U], m[row + 3U * 1U], m[row + 3U * 2U], m[row + 3U * 3U]
+        };
         const float value = sqrtf(norm_squared_f32(row_2, 1U, 4U));
         if (result->second.is_some) {
             if (sort_below_f32(value, result->second.value)) {
@@ -167,7 +173,7 @@ void lines_other_names(double a[BESSEMER_RESTRICT 16], const double b[4],
     first[2] += b[2];
     first[3] += b[3];
     for (uint32_t row = 0U; row < 4U; row++) {
-        a[row] = first[row];
+        a[row + 4U * 0U] = first[row];
     }
     double other[4] = {a[0 + 4 * 0], a[1 + 4 * 0], a[2 + 4 * 0], a[3 + 4 * 0]};
     other[0] += b[0];
@@ -175,7 +181,7 @@ void lines_other_names(double a[BESSEMER_RESTRICT 16], const double b[4],
     other[2] += b[2];
     other[3] += b[3];
     for (uint32_t row = 0U; row < 4U; row++) {
-        a[row] = other[row];
+        a[row + 4U * 0U] = other[row];
     }
     if (b[0] > 0.0) {
         double second[4] = {a[0 + 4 * 1], a[1 + 4 * 1], a[2 + 4 * 1], a[3 + 4 * 1]};
@@ -184,7 +190,7 @@ void lines_other_names(double a[BESSEMER_RESTRICT 16], const double b[4],
         second[2] += b[2];
         second[3] += b[3];
         for (uint32_t row = 0U; row < 4U; row++) {
-            a[row + 4U] = second[row];
+            a[row + 4U * 1U] = second[row];
         }
     } else {
         matrix_edit_fill_f64_4_4(a, 0.0);

@@ -45,7 +45,7 @@ void lu_factors_both(const float a[16], pair_f32_matrix4x4_f32_t *BESSEMER_RESTR
 {
     lu_f32_4_t lu;
     lu_factored_f32_4(a, &lu);
-    const float result_part = lu_f32_4_determinant(&lu);
+    const float first = lu_f32_4_determinant(&lu);
     option_matrix4x4_f32_t option;
     lu_f32_4_try_inverse(&lu, &option);
     for (uint32_t i = 0U; i < 16U; i++) {
@@ -54,5 +54,5 @@ void lu_factors_both(const float a[16], pair_f32_matrix4x4_f32_t *BESSEMER_RESTR
     if (option.is_some) {
         (void)memcpy(result->second, option.value, sizeof(float[16]));
     }
-    result->first = result_part;
+    result->first = first;
 }

@@ -76,7 +76,7 @@ bessemer_status_t named_views_up_to(double m[BESSEMER_RESTRICT 16], uint64_t col
         return BESSEMER_STATUS_INDEX;
     }
     double part[4] = {
-        m[4U * column], m[1U + 4U * column], m[2U + 4U * column], m[3U + 4U * column]
+        m[0U + 4U * column], m[1U + 4U * column], m[2U + 4U * column], m[3U + 4U * column]
     };
     part[0] += by[0];
     part[1] += by[1];
@@ -86,7 +86,7 @@ bessemer_status_t named_views_up_to(double m[BESSEMER_RESTRICT 16], uint64_t col
         m[row + 4U * (uint32_t)column] = part[row];
     }
     option_f64_t first_choice;
-    const option_f64_t first_option = {.is_some = true, .value = m[4U * column]};
+    const option_f64_t first_option = {.is_some = true, .value = m[0U + 4U * column]};
     if (first_option.value <= most) {
         first_choice.is_some = true;
         first_choice.value = first_option.value;
@@ -101,7 +101,7 @@ bessemer_status_t named_views_up_to(double m[BESSEMER_RESTRICT 16], uint64_t col
     }
     const double first = first_choice.value;
     double part_2[4] = {
-        m[4U * column], m[1U + 4U * column], m[2U + 4U * column], m[3U + 4U * column]
+        m[0U + 4U * column], m[1U + 4U * column], m[2U + 4U * column], m[3U + 4U * column]
     };
     part_2[0] *= first;
     part_2[1] *= first;
@@ -117,7 +117,7 @@ bessemer_status_t named_views_up_to(double m[BESSEMER_RESTRICT 16], uint64_t col
         m[i + 4U * (uint32_t)column] -= by[i];
     }
     const double result_a[4] = {
-        m[4U * column], m[1U + 4U * column], m[2U + 4U * column], m[3U + 4U * column]
+        m[0U + 4U * column], m[1U + 4U * column], m[2U + 4U * column], m[3U + 4U * column]
     };
     result->is_some = true;
     result->value = matrix_statistics_sum_f64_4_1(result_a);
@@ -127,7 +127,7 @@ bessemer_status_t named_views_up_to(double m[BESSEMER_RESTRICT 16], uint64_t col
 void named_views_scaled(double m[BESSEMER_RESTRICT 6], const double by[2])
 {
     for (uint32_t column = 0U; column < 3U; column++) {
-        double column_2[2] = {m[2U * column], m[1U + 2U * column]};
+        double column_2[2] = {m[0U + 2U * column], m[1U + 2U * column]};
         column_2[0] += by[0];
         column_2[1] += by[1];
         for (uint32_t row = 0U; row < 2U; row++) {
@@ -136,7 +136,7 @@ void named_views_scaled(double m[BESSEMER_RESTRICT 6], const double by[2])
         m[1U + 2U * column] = 0.5;
     }
     for (uint32_t i = 0U; i < 2U; i++) {
-        double row[3] = {m[i], m[i + 2U], m[i + 2U * 2U]};
+        double row[3] = {m[i + 2U * 0U], m[i + 2U * 1U], m[i + 2U * 2U]};
         row[0] *= by[i];
         row[1] *= by[i];
         row[2] *= by[i];
@@ -151,10 +151,10 @@ double named_views_by_methods(double m[BESSEMER_RESTRICT 9], const double v[3], 
     double part[3] = {m[0 + 3 * 0], m[1 + 3 * 0], m[2 + 3 * 0]};
     const double length = norms_normalize_mut_f64_3_1(part);
     for (uint32_t row = 0U; row < 3U; row++) {
-        m[row] = part[row];
+        m[row + 3U * 0U] = part[row];
     }
     for (uint32_t i = 0U; i < 3U; i++) {
-        m[i + 3U] += v[i];
+        m[i + 3U * 1U] += v[i];
     }
     double part_2[4] = {
         m[1 + 3 * 1], m[2 + 3 * 1],
@@ -169,7 +169,7 @@ double named_views_by_methods(double m[BESSEMER_RESTRICT 9], const double v[3], 
     m[2 + 3 * 0] = length;
     m[1 + 3 * 2] += v[0];
     for (uint32_t i = 0U; i < 3U; i++) {
-        m[3U * i] *= 0.5;
+        m[0U + 3U * i] *= 0.5;
     }
     return length;
 }
@@ -178,13 +178,13 @@ void named_views_lengths(const float m[9], pair_f32_f32_t *BESSEMER_RESTRICT res
 {
     float columns = -0.0F;
     for (uint32_t column = 0U; column < 3U; column++) {
-        const float column_2[3] = {m[3U * column], m[1U + 3U * column], m[2U + 3U * column]};
+        const float column_2[3] = {m[0U + 3U * column], m[1U + 3U * column], m[2U + 3U * column]};
         columns += sqrtf(column_2[0] * column_2[0] + column_2[1] * column_2[1]
             + column_2[2] * column_2[2]);
     }
     float gathered = 0.0F;
     for (uint32_t row = 0U; row < 3U; row++) {
-        const float row_2[3] = {m[row], m[row + 3U], m[row + 3U * 2U]};
+        const float row_2[3] = {m[row + 3U * 0U], m[row + 3U * 1U], m[row + 3U * 2U]};
         gathered = max_f32(gathered, upper_f32(upper_f32(fabsf(row_2[0]), fabsf(row_2[1])),
             fabsf(row_2[2])));
     }

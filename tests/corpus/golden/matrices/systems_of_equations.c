@@ -5,10 +5,10 @@
 void systems_of_equations_parabola(const double x[3], const double y[3],
     double coefficients[BESSEMER_RESTRICT 3])
 {
-    double powers[9] = {0};
+    double powers[9];
     for (uint32_t row = 0U; row < 3U; row++) {
-        powers[row] = 1.0;
-        powers[row + 3U] = x[row];
+        powers[row + 3U * 0U] = 1.0;
+        powers[row + 3U * 1U] = x[row];
         powers[row + 3U * 2U] = x[row] * x[row];
     }
     coefficients[0] = y[0];

@@ -46,7 +46,7 @@ void unit_quaternions_halves(const unit_quaternion_f64_t *one, const unit_quater
 void unit_quaternions_same(const attitudes_t *one, const attitudes_t *other,
     pair_bool_bool_t *BESSEMER_RESTRICT result)
 {
-    const bool result_part = attitudes_equal(one, other);
+    const bool first = attitudes_equal(one, other);
     const quaternion_f64_t quaternion_q = {
         .i = one->body.i,
         .j = one->body.j,
@@ -61,7 +61,7 @@ void unit_quaternions_same(const attitudes_t *one, const attitudes_t *other,
         .k = quaternion.k,
         .w = quaternion.w
     };
-    result->first = result_part;
+    result->first = first;
     result->second = unit_quaternion_f64_equal(&one->body, &result_other);
 }
 

@@ -38,14 +38,14 @@ void blocks_reset(blocks_t *BESSEMER_RESTRICT self, const double cross[9], doubl
 void blocks_exchange(blocks_t *self)
 {
     for (uint32_t column = 0U; column < 6U; column++) {
-        const double held = self->p[6U * column];
-        self->p[6U * column] = self->p[1U + 6U * column];
+        const double held = self->p[0U + 6U * column];
+        self->p[0U + 6U * column] = self->p[1U + 6U * column];
         self->p[1U + 6U * column] = held;
     }
     for (uint32_t row = 0U; row < 6U; row++) {
-        const double held = self->p[row];
-        self->p[row] = self->p[row + 6U];
-        self->p[row + 6U] = held;
+        const double held = self->p[row + 6U * 0U];
+        self->p[row + 6U * 0U] = self->p[row + 6U * 1U];
+        self->p[row + 6U * 1U] = held;
     }
 }
 

@@ -11,9 +11,9 @@ int32_t checked_results_distance(int32_t from, int32_t to)
 {
     option_i32_t option;
     math_checked_sub_i32(to, from, &option);
-    int32_t result_choice = 0;
+    int32_t result = 0;
     if (option.is_some) {
-        result_choice = option.value;
+        result = option.value;
     }
-    return result_choice;
+    return result;
 }

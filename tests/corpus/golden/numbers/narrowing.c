@@ -17,11 +17,11 @@ uint8_t narrowing_level(int32_t x)
     } else {
         result_choice = U8_MAX;
     }
-    uint8_t result_choice_2 = result_choice;
+    uint8_t result = result_choice;
     if (result_narrowed.is_ok) {
-        result_choice_2 = result_narrowed.value;
+        result = result_narrowed.value;
     }
-    return result_choice_2;
+    return result;
 }
 
 void narrowing_steps(int64_t x, option_i16_t *result)

@@ -128,6 +128,9 @@ pub(super) fn filled(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) 
         return (to, last) == (*cols, *rows) && assigns(local, &[inner, outer], body)
             || (to, last) == (*rows, *cols) && assigns(local, &[outer, inner], body);
     }
+    if in_lines(local, ty, (outer, to), body) {
+        return true;
+    }
     let (count, element) = match *ty {
         Type::Array { len, .. } => (len, vec![Some(outer)]),
         Type::Matrix { rows, cols: 1, .. } => (rows, vec![Some(outer), None]),
@@ -138,6 +141,28 @@ pub(super) fn filled(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) 
     let one_index = matches!(element.as_slice(), [Some(_)]);
     to == count && assigns(local, &element, body)
         || one_index && in_tiles(module, local, count, (outer, to), body)
+}
+
+/// Returns true if each pass of a loop assigns all elements of one column, or of one row, one by one. The body does not use
+/// the matrix otherwise.
+fn in_lines(local: LocalId, ty: &Type, (counter, to): (LocalId, u32), body: &Block) -> bool {
+    let Type::Matrix { rows, cols, .. } = *ty else { return false };
+    let counts = |index: &Expr| matches!(&index.kind, ExprKind::Load(place) if place.root == counter && place.steps.is_empty());
+    let (mut in_column, mut in_row) = (BTreeSet::new(), BTreeSet::new());
+    for stmt in body.0.iter().filter(|stmt| mentions(*stmt, local)) {
+        let StmtKind::Assign { place, value } = &stmt.kind else { return false };
+        let [Step::Element(row, column)] = place.steps.as_slice() else { return false };
+        if place.root != local || mentions(value, local) {
+            return false;
+        }
+        match (&row.kind, &column.kind) {
+            (ExprKind::Literal(row), _) if counts(column) => in_column.insert(*row),
+            (_, ExprKind::Literal(column)) if counts(row) => in_row.insert(*column),
+            _ => return false,
+        };
+    }
+    let all = |found: &BTreeSet<u64>, of: u32| found.iter().copied().eq(0..u64::from(of));
+    to == cols && all(&in_column, rows) || to == rows && all(&in_row, cols)
 }
 
 /// Returns true if a loop in each pass of another assigns the next elements, `array[tile * 8 + n]`. No other statement

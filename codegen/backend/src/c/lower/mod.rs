@@ -147,7 +147,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
             function,
             context.names.layout != super::matrices::Layout::Array,
         ),
-        sizes: extents::of_locals(context.names, function),
+        sizes: extents::of_locals(context.names, context.module, function),
         declared: BTreeMap::new(),
         parts: BTreeMap::new(),
         bytes: 0,
@@ -360,7 +360,8 @@ impl<'a> Lower<'a> {
 
     /// Returns a name for the counter of a loop. A short one that is visible already gives way to the next letter.
     fn counter_name(&mut self, wanted: &str) -> String {
-        let is_free = |name: &&str| !self.taken.contains(*name) && !self.context.names.is_global(name);
+        let is_free =
+            |name: &&str| !self.taken.contains(*name) && !self.context.names.is_global(name);
         let next = match wanted {
             "i" | "j" | "k" | "row" | "column" | "col" => {
                 [wanted, "i", "j", "k"].into_iter().find(is_free)
