@@ -7,6 +7,9 @@
 
 #include <string.h>
 
+/* Neither inlined nor specialised for the constants of a call, as a function of a library of its own. */
+#define ALONE __attribute__((noipa))
+
 static arm_pid_instance_f32 pid = {.A0 = 1.5f, .A1 = -2.0f, .A2 = 0.75f};
 static float coefficients[5 * SECTIONS];
 static float states[4 * SECTIONS];
@@ -19,12 +22,12 @@ static float second[12 * 12];
 static float result[12 * 12];
 static float halfway[12];
 
-__attribute__((noinline)) static float pid_step(float error)
+ALONE static float pid_step(float error)
 {
     return arm_pid_f32(&pid, error);
 }
 
-__attribute__((noinline)) static void clarke_park(
+ALONE static void clarke_park(
     float a, float b, float sine, float cosine, float out[2])
 {
     float alpha = 0.0f;
@@ -33,7 +36,7 @@ __attribute__((noinline)) static void clarke_park(
     arm_park_f32(alpha, beta, &out[0], &out[1], sine, cosine);
 }
 
-__attribute__((noinline)) static void clarke_park_at(float a, float b, float angle, float out[2])
+ALONE static void clarke_park_at(float a, float b, float angle, float out[2])
 {
     clarke_park(a, b, arm_sin_f32(angle), arm_cos_f32(angle), out);
 }
@@ -68,7 +71,7 @@ static void run_blocks(void)
 }
 
 /* Both triangles: the factor's transpose is the second. */
-__attribute__((noinline)) static void definite(void)
+ALONE static void definite(void)
 {
     float lower[12 * 12] = {0};
     float upper[12 * 12];
@@ -104,6 +107,19 @@ void run_jobs(void)
     clarke_park_at(0.5f, -0.25f, 0.7f, output);
     bench_end();
     report(output, 2);
+    bench_begin();
+    clarke_park_at(0.5f, -0.25f, 0.7f, output);
+    bench_end();
+    report(output, 2);
+
+    bench_begin();
+    const float sine = arm_sin_f32(0.7f);
+    bench_end();
+    report(&sine, 1);
+    bench_begin();
+    const float fast = arm_sin_f32(0.7f);
+    bench_end();
+    report(&fast, 1);
 
     fill(first, 12 * 12, 3U);
     fill(second, 12 * 12, 4U);

@@ -3,6 +3,7 @@
  */
 #include "dsp_plan.h"
 
+#include "models.h"
 #include "mpc.h"
 
 #include <string.h>
@@ -24,4 +25,21 @@ void run_jobs(void)
         bench_end();
         report(input, INPUTS);
     }
+    bench_begin();
+    const float sine = models_sine(0.7f);
+    bench_end();
+    report(&sine, 1);
+    bench_begin();
+    const float fast = models_sine_fast(0.7f);
+    bench_end();
+    report(&fast, 1);
+    float output[2];
+    bench_begin();
+    models_clarke_park_at(0.5f, -0.25f, 0.7f, output);
+    bench_end();
+    report(output, 2);
+    bench_begin();
+    models_clarke_park_fast(0.5f, -0.25f, 0.7f, output);
+    bench_end();
+    report(output, 2);
 }

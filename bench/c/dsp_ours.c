@@ -110,6 +110,19 @@ void run_jobs(void)
     models_clarke_park_at(0.5f, -0.25f, 0.7f, output);
     bench_end();
     report(output, 2);
+    bench_begin();
+    models_clarke_park_fast(0.5f, -0.25f, 0.7f, output);
+    bench_end();
+    report(output, 2);
+
+    bench_begin();
+    const float sine = models_sine(0.7f);
+    bench_end();
+    report(&sine, 1);
+    bench_begin();
+    const float fast = models_sine_fast(0.7f);
+    bench_end();
+    report(&fast, 1);
 
     fill(first, 12 * 12, 3U);
     fill(second, 12 * 12, 4U);

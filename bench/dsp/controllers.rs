@@ -177,6 +177,25 @@ pub fn clarke_park_at(a: f32, b: f32, angle: f32) -> Vector2<f32> {
     clarke_park(a, b, sine, cosine)
 }
 
+/// A sine.
+#[function]
+pub fn sine(angle: f32) -> f32 {
+    angle.sin()
+}
+
+/// A sine of the fast form.
+#[function]
+pub fn sine_fast(angle: f32) -> f32 {
+    bessemer::fast::sin(angle)
+}
+
+/// As [`clarke_park_at`], by the fast sine and cosine.
+#[function]
+pub fn clarke_park_fast(a: f32, b: f32, angle: f32) -> Vector2<f32> {
+    let (sine, cosine) = bessemer::fast::sin_cos(angle);
+    clarke_park(a, b, sine, cosine)
+}
+
 /// A product.
 #[function]
 pub fn product(a: &SMatrix<f32, 12, 12>, b: &SMatrix<f32, 12, 12>) -> SMatrix<f32, 12, 12> {

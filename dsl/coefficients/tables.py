@@ -73,8 +73,10 @@ def constant(name, value, text, ty="f64", shared=False):
     print(f"/// {text}\n{MARK}{seen} const {name}: {ty} = {WORDS[ty](value)};")
 
 
-def table(name, values, text, ty="f64"):
-    print(f"/// {text}\n{MARK}pub(crate) const {name}: [{ty}; {len(values)}] = [")
+def table(name, values, text, ty="f64", shared=False):
+    """A table; shared: several modules read it, and the C has it once."""
+    seen = "pub" if shared else "pub(crate)"
+    print(f"/// {text}\n{MARK}{seen} const {name}: [{ty}; {len(values)}] = [")
     for value in values:
         print(f"    {WORDS[ty](value)},")
     print("];")
@@ -423,4 +425,13 @@ narrow("BINARY_LOG", lambda r: log(1 + r) / two / r - mpf(23) / 16, 4, -width, w
 # To 0.0375 is what there is: weighted with w³, points a third further out lose least.
 narrow("CUBE_ROOT", lambda w: (((1 + 2 * w) / (1 - w)) ** (mpf(1) / 3) - 1 - w) / w**3, 2, mpf("-0.0495"), mpf("0.0495"),
        "(((1 + 2w)/(1 − w))^(1/3) − 1 − w)/w³ in powers of w, −0.0495 to 0.0495.")
+
+module("fast", "Tables of the fast elementary functions.")
+fast_step = mpf(pi) / 64
+narrow_step = cut(fast_step, 13)
+constant("ANGLE_STEPS", rounded(1 / fast_step, 24), "64/π.", "f32")
+constant("ANGLE_STEP_HIGH", narrow_step, "π/64 in 13 bits: a multiple by up to 2¹¹ is exact.", "f32")
+constant("ANGLE_STEP_LOW", rounded(fast_step - narrow_step, 24), "π/64 less [`ANGLE_STEP_HIGH`].", "f32")
+table("ANGLE_SINES", [exact(sin(k * pi / 64)) for k in range(160)],
+      "sin(k·π/64) for k from 0 to 159; the cosine of an angle is the sine 32 elements behind.", "f32", shared=True)
 files.close()

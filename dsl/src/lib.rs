@@ -87,6 +87,7 @@ pub mod cut;
 mod element;
 #[doc(hidden)]
 pub mod exchange;
+pub mod fast;
 #[cfg(feature = "generate")]
 #[doc(hidden)]
 pub mod generate;

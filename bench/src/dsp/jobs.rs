@@ -36,6 +36,9 @@ pub const JOBS: &[Job] = &[
     job("FIR filter, 32 taps, 64 samples", 64, 5_000),
     job("Clarke's and Park's transforms", 2, 9),
     job("the same, with sine and cosine", 2, 66),
+    job("the same, with sine and cosine of `bessemer::fast`", 2, 66),
+    job("sine", 1, 53),
+    job("sine of `bessemer::fast`", 1, 33),
     job("product of 12 rows", 144, 4_520),
     job("Cholesky factor and solution, 12 rows", 12, 2_409),
     job("`a.lu().solve(&b)`, 4 rows", 4, 339),
@@ -50,5 +53,12 @@ pub const JOBS: &[Job] = &[
         calls: 2,
         numbers: 4,
         goal: 190_000,
+    },
+    Job { machine: Machine::A9, ..job("sine, on the A9", 1, 53) },
+    Job { machine: Machine::A9, ..job("sine of `bessemer::fast`, on the A9", 1, 33) },
+    Job { machine: Machine::A9, ..job("transforms with sine and cosine, on the A9", 2, 115) },
+    Job {
+        machine: Machine::A9,
+        ..job("transforms with those of `bessemer::fast`, on the A9", 2, 66)
     },
 ];

@@ -23,6 +23,7 @@
 #include "derived_order.h"
 #include "enums.h"
 #include "exponential.h"
+#include "fast.h"
 #include "i128.h"
 #include "isometry.h"
 #include "lexical_order.h"
@@ -58,6 +59,7 @@
 #include "own_equality.h"
 #include "pair.h"
 #include "pair_f32_bool.h"
+#include "pair_f32_f32.h"
 #include "pair_f64_bool.h"
 #include "pair_i16_bool.h"
 #include "pair_i16_u64.h"
@@ -1864,6 +1866,52 @@ static inline void logarithm_parts(uint64_t bits, logarithm_parts_t *parts)
     parts->exponent = exponent;
     parts->row = u64_from_u32((above >> 13) & 0x7FU);
     parts->significand = f64_from_bits(bits - ((uint64_t)(uint32_t)exponent << 52));
+}
+
+/** Divides an angle in rad into a multiple of π/64 and a rest. */
+static inline void fast_stepped(float x, fast_angle_t *fast_angle)
+{
+    const float shifted = x * FAST_ANGLE_STEPS + FAST_TO_INTEGER;
+    const float steps = shifted - FAST_TO_INTEGER;
+    const uint32_t row = (uint32_t)(raw_bits_of_f32(shifted) & 0x7FU);
+    const float rest = x - steps * FAST_ANGLE_STEP_HIGH - steps * FAST_ANGLE_STEP_LOW;
+    const float square = rest * rest;
+    fast_angle->sine = FAST_ANGLE_SINES[row];
+    fast_angle->cosine = FAST_ANGLE_SINES[row + 32U];
+    fast_angle->rest = rest - rest * (square * (1.0F / 6.0F));
+    fast_angle->lost = square * 0.5F;
+}
+
+/**
+ * Sine and cosine of an angle in rad, with the bits of `sin` and `cos`, for a fifth more instructions than one of
+ * them.
+ */
+static inline void fast_sin_cos(float x, pair_f32_f32_t *result)
+{
+    fast_angle_t angle;
+    fast_stepped(x, &angle);
+    result->first = angle.sine + (angle.rest * angle.cosine - angle.sine * angle.lost);
+    result->second = angle.cosine - (angle.rest * angle.sine + angle.cosine * angle.lost);
+}
+
+/**
+ * Sine of an angle from −100 to 100 rad, within 7.5e-8; to 10 000 rad within 5e-4. ±∞ and NaN give NaN.
+ */
+static inline float fast_sin(float x)
+{
+    fast_angle_t angle;
+    fast_stepped(x, &angle);
+    return angle.sine + (angle.rest * angle.cosine - angle.sine * angle.lost);
+}
+
+/**
+ * Cosine of an angle from −100 to 100 rad, within 7.5e-8; to 10 000 rad within 5e-4. ±∞ and NaN give NaN.
+ */
+static inline float fast_cos(float x)
+{
+    fast_angle_t angle;
+    fast_stepped(x, &angle);
+    return angle.cosine - (angle.rest * angle.sine + angle.cosine * angle.lost);
 }
 
 /** The sum, wrapped to 128 bits. */

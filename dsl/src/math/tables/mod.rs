@@ -6,6 +6,7 @@
 
 mod angles;
 mod decimal;
+mod fast;
 mod finer;
 mod logarithms;
 mod narrow;
@@ -13,6 +14,7 @@ mod powers;
 
 pub(crate) use angles::*;
 pub(crate) use decimal::*;
+pub(crate) use fast::*;
 pub(crate) use finer::*;
 pub(crate) use logarithms::*;
 pub(crate) use narrow::*;
