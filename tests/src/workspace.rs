@@ -4,9 +4,11 @@
 //! built, and only if the same were not built before. The generated files must not depend on its path.
 
 use std::collections::BTreeMap;
+use std::env;
 use std::fs::{self, File};
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use bessemer_codegen::compile::{self, Compiled};
 use bessemer_codegen::generate::{self, Job, Made, Summary, Tree};
@@ -15,7 +17,7 @@ use bessemer_frontend::source::Sources;
 use bessemer_legs::trees;
 use tempfile::TempDir;
 
-use crate::root;
+use crate::{root, toolchain};
 
 /// Profile settings for a package that is rebuilt often with small changes, and whose program runs only briefly.
 const SETTINGS: &str = "[profile.dev.package.models]\nopt-level = 2\n";
@@ -122,6 +124,17 @@ impl Workspace {
     pub fn alone(&self) -> std::io::Result<File> {
         let file = File::create(root().join("target/.bessemer-lock"))?;
         file.lock().map(|()| file)
+    }
+
+    /// Runs one test of a package in it, alone: two packages of one name and folder have one test program, too.
+    ///
+    /// # Errors
+    /// The output of a test that failed, or the text of an error of the file system.
+    pub fn run_test(&self, package: &Path, test: &str) -> Result<(), String> {
+        let _alone = self.alone().map_err(|error| error.to_string())?;
+        let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+        let words = ["test", "--quiet", "--offline", "--test", test];
+        toolchain::run(cargo.args(words).current_dir(package))
     }
 
     /// Returns the folder of its package.

@@ -137,10 +137,7 @@ fn a_drive_in_single_precision_keeps_its_bits_and_its_limits() {
     let manifest = manifest.replace("../../dsl", "../dsl");
     std::fs::write(package.join("Cargo.toml"), manifest).expect("the manifest");
 
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let mut test = Command::new(cargo);
-    test.args(["test", "--quiet", "--offline", "--test", "closed_loop"]).current_dir(&package);
-    run(&mut test).unwrap_or_else(|said| panic!("{said}"));
+    workspace.run_test(&package, "closed_loop").unwrap_or_else(|said| panic!("{said}"));
 
     // The DSL is built once more for it, with its builders and in single precision: every other turn.
     if turn::one_of(vec![true, false]) == [false] {

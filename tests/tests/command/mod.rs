@@ -38,10 +38,7 @@ fn a_new_package_is_simulated_and_generated() {
     assert!(said.contains("cargo bessemer gen") && !said.contains("`members`"), "{said}");
     let package = workspace.path("motor");
 
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let mut test = Command::new(cargo);
-    test.args(["test", "--quiet", "--offline", "--test", "closed_loop"]).current_dir(&package);
-    toolchain::run(&mut test).unwrap_or_else(|said| panic!("{said}"));
+    workspace.run_test(&package, "closed_loop").unwrap_or_else(|said| panic!("{said}"));
 
     // From a folder in it, and to where its own settings say.
     let said = generated(&package.join("src"), false).expect("it is sound");

@@ -21,10 +21,8 @@ fn a_template_is_simulated_and_generated() {
         let wanted = New { name: name.to_owned(), template, path: Some(".".into()), git: None };
         new::run(&workspace.path(""), &wanted).expect("it is new");
         let package = workspace.path(name);
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let mut test = Command::new(cargo);
-        test.args(["test", "--quiet", "--offline", "--test", "closed_loop"]).current_dir(&package);
-        toolchain::run(&mut test).unwrap_or_else(|said| panic!("{name}: {said}"));
+        let passed = workspace.run_test(&package, "closed_loop");
+        passed.unwrap_or_else(|said| panic!("{name}: {said}"));
         let said =
             super::generated(&package, false).unwrap_or_else(|said| panic!("{name}: {said}"));
         assert!(said.contains(entry), "{said}");
