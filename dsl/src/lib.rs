@@ -50,6 +50,8 @@
 #[cfg(feature = "generate")]
 extern crate alloc;
 extern crate self as bessemer;
+#[cfg(feature = "names")]
+extern crate std;
 
 #[cfg(not(feature = "generate"))]
 #[doc(hidden)]
@@ -98,6 +100,8 @@ mod list;
 #[doc(hidden)]
 pub mod list_edit;
 pub mod math;
+#[doc(hidden)]
+pub mod name;
 pub mod non_zero;
 #[doc(hidden)]
 pub mod optional;

@@ -4,6 +4,8 @@ use core::cmp::Ordering;
 
 use nalgebra::{SMatrix, Scalar};
 
+use crate::name;
+
 /// A value made of scalars only: what a model's state, inputs and outputs are.
 ///
 /// Its *words* are its scalars in order (fields as declared, elements in order, matrices by columns),
@@ -69,6 +71,18 @@ impl Plain for Ordering {
             2 => Ordering::Greater,
             _ => Ordering::Less,
         }
+    }
+}
+
+/// The word is the CRC-32 of the text. A name that is read from a word has another text of this word.
+#[diagnostic::do_not_recommend]
+impl Plain for &'static str {
+    const WORDS: usize = 1;
+    fn store(&self, out: &mut dyn FnMut(u64)) {
+        out(u64::from(name::stored(self)));
+    }
+    fn load(next: &mut dyn FnMut() -> u64) -> Self {
+        name::name(next() as u32)
     }
 }
 

@@ -106,7 +106,7 @@ impl Entries {
             let local = format_ident!("argument_{index}");
             let (ty, pass) = match &*input.ty {
                 Type::Reference(it) if it.mutability.is_some() => (&*it.elem, quote!(&mut #local)),
-                Type::Reference(it) => (&*it.elem, quote!(&#local)),
+                Type::Reference(it) if !is_name(it) => (&*it.elem, quote!(&#local)),
                 ty => (ty, quote!(#local)),
             };
             let ty = own(ty);
@@ -131,6 +131,7 @@ impl Entries {
                     // Which place it is shows where it is written.
                     Type::Reference(it) if it.mutability.is_some() => return None,
                     // What lends a place may be no function in the C.
+                    Type::Reference(it) if is_name(it) => quote!(result),
                     Type::Reference(_) if self.methods => return None,
                     Type::Reference(_) => quote!(*result),
                     _ => quote!(result),
@@ -194,6 +195,11 @@ impl Entries {
         };
         Some(entry.to_string())
     }
+}
+
+/// Returns true for a name, `&str`, which is a value.
+fn is_name(it: &syn::TypeReference) -> bool {
+    matches!(&*it.elem, Type::Path(path) if path.path.is_ident("str"))
 }
 
 /// Returns true if a type has references within, or is none by itself.

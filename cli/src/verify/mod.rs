@@ -388,7 +388,9 @@ fn rust(
             return Ok((None, left));
         }
         let (text, first) = native::program(module, &functions);
-        let said = match generate::native(job, &text).map_err(bessemer_project::Error::from)? {
+        let said = match generate::native(job, &text, native::has_names(module))
+            .map_err(bessemer_project::Error::from)?
+        {
             Ok(program) => return Ok((Some(program), left)),
             Err(said) => said,
         };

@@ -6,7 +6,7 @@
 
 use std::fmt::Write as _;
 
-use bessemer_ir::{Function, Mode, Module, Owner, Type};
+use bessemer_ir::{Const, Function, Mode, Module, Owner, Type};
 
 /// The head of the program, before the calls.
 const SUPPORT: &str = r#"//! A program around a package's entry points.
@@ -79,8 +79,21 @@ fn call(module: &Module, function: &Function) -> String {
             let _ = write!(stores, "store(&{name}); ");
         }
     }
-    let path = format!("{}::{}::{}", owner.module, owner.name, function.name);
+    let ty = format!("{}::{}", owner.module, owner.name);
+    let path = format!("{ty}::{}", function.name);
+    if has_names(module) {
+        // Names of the initial state are known before they are read.
+        let initial = format!("<{ty} as Default>::default().store(&mut |_| {{}})");
+        loads = format!(
+            "static FIRST: std::sync::Once = std::sync::Once::new(); FIRST.call_once(|| {initial}); {loads}"
+        );
+    }
     format!("{loads}if call(|| {path}({})).is_some() {{ {stores}}}", arguments.join(", "))
+}
+
+/// Returns true if values of the module may have names.
+pub fn has_names(module: &Module) -> bool {
+    module.consts.iter().any(Const::is_name)
 }
 
 /// Returns true if such a program can call the function: it has a component and no borrowed slice.

@@ -101,6 +101,14 @@ pub struct Const {
 }
 
 impl Const {
+    /// Module of the constants of names, `"pump"`, which belong to no module of an author.
+    pub const NAMES: &str = "str::name";
+
+    /// Returns true for the constant of a name.
+    pub fn is_name(&self) -> bool {
+        self.module == Const::NAMES
+    }
+
     /// Returns its module and name as a path, in the form of [`Given::sizes`].
     pub fn path(&self) -> String {
         alloc::format!("{}::{}", self.module, self.name)

@@ -152,9 +152,9 @@ pub fn deliver(job: &Job, compiled: &Compiled) -> Result<Vec<String>, Error> {
 /// # Errors
 ///
 /// See [`Error`].
-pub fn native(job: &Job, text: &str) -> Result<Result<Program, String>, Error> {
+pub fn native(job: &Job, text: &str, names: bool) -> Result<Result<Program, String>, Error> {
     let (workspace, sources) = (Workspace::of(&job.root)?, Sources::new(&job.root));
-    package::native(job, &workspace, &sources, text)
+    package::native(job, &workspace, &sources, (text, names))
 }
 
 /// Builds the job's package and returns its tree, for other tools.

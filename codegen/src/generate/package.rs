@@ -50,7 +50,7 @@ pub(super) fn tree(job: &Job, workspace: &Workspace, sources: &Sources) -> Resul
         for source in &anew {
             program::touch(source)?;
         }
-        let (built, warnings) = build(job, sources, true)?;
+        let (built, warnings) = build(job, sources, Builds::Trees)?;
         let variables = [("CARGO_PKG_NAME", job.package.as_str()), ("CARGO_PKG_LICENSE", license)];
         let text = format!("bessemer::print_tree!({library});\n");
         let program = match built.link(&job.root, library, &text, &variables)? {
@@ -127,30 +127,35 @@ pub(super) fn native(
     job: &Job,
     workspace: &Workspace,
     sources: &Sources,
-    text: &str,
+    (text, names): (&str, bool),
 ) -> Result<Result<Program, String>, Error> {
     let library = workspace.member(&job.package)?.models()?;
     let _alone = workspace.alone(BUILDS)?;
-    let (mut built, _) = build(job, sources, false)?;
+    let (mut built, _) = build(job, sources, Builds::Native { names })?;
     if workspace.may_share() {
         let found = built.found_in(&workspace.root);
         for source in &found {
             program::touch(source)?;
         }
         if !found.is_empty() {
-            (built, _) = build(job, sources, false)?;
+            (built, _) = build(job, sources, Builds::Native { names })?;
         }
     }
     built.link(&job.root, library, text, &[])
 }
 
+/// The purpose of a build.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Builds {
+    /// The builders of trees.
+    Trees,
+    /// A program around the package, which reads names from words if `names` is true.
+    Native { names: bool },
+}
+
 /// Builds the package and its dependencies; in a generation build, with their builders. Also returns rustc's
 /// warnings.
-fn build(
-    job: &Job,
-    sources: &Sources,
-    generating: bool,
-) -> Result<(Built, Vec<Diagnostic>), Error> {
+fn build(job: &Job, sources: &Sources, builds: Builds) -> Result<(Built, Vec<Diagnostic>), Error> {
     let mut command = cargo(&["build", "--lib"]);
     command
         .args(["--message-format=json-diagnostic-rendered-ansi", "--package", &job.package])
@@ -158,7 +163,10 @@ fn build(
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped());
-    if generating {
+    if builds == (Builds::Native { names: true }) {
+        command.args(["--features", "bessemer/names"]);
+    }
+    if builds == Builds::Trees {
         command.args(["--features", "bessemer/generate"]);
         if std::env::var_os("RUST_MIN_STACK").is_none() {
             command.env("RUST_MIN_STACK", RUSTC_STACK.to_string());

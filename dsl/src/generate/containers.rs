@@ -13,7 +13,7 @@ use super::builder::{Builder, Callee};
 use super::companions::{calls, companions};
 use super::numbers::{FromBuiltin, converts};
 use super::slot::{Called, DslType, Seen, Value, dsl_types, stands};
-use crate::{List, exchange, list_edit, non_zero, optional, range};
+use crate::{List, exchange, list_edit, name, non_zero, optional, range};
 
 // Ranges that are held are structs of the DSL in the C.
 dsl_types! {
@@ -71,6 +71,10 @@ companions! {
     impl[T: ?Sized] ReadOnBuiltin<T> for Option<&T> {
         fn __b_as_deref(&self) -> Option<&T> = [AsRef];
     }
+    /// Methods of names.
+    pub trait NameBuiltins {
+        fn __b_is_empty(&self) -> bool = [name::is_empty];
+    }
     /// Methods of lists.
     impl[T, const N: usize] ListBuiltins<T, N> for List<T, N> {
         fn __b_new() -> Self = New: List(ListMethod::New);
@@ -117,6 +121,8 @@ companions! {
         fn __b_get(self) -> T = [non_zero::__function_get<T>];
     }
 }
+
+impl NameBuiltins for str {}
 
 impl<T: Value + Copy + Default, const N: usize> ListExtends<T> for List<T, N> {
     type Marker = list_edit::__function_extend<T, N>;

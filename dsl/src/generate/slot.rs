@@ -313,9 +313,9 @@ dsl_types! {
         => |cx| Ty::List(Box::new(T::ty(cx)), N as u32);
     [T: ScalarType, const R: usize, const C: usize] [T, const R: usize, const C: usize]
         SMatrix<T, R, C> as Self => |_| Ty::Matrix(T::SCALAR, R as u32, C as u32);
-    [T: DslType + ?Sized] [T: ?Sized] &T as Shared<T> => |cx| Ty::Ref(Box::new(T::ty(cx)), false);
+    [T: DslType + ?Sized] [T: ?Sized] &T as Shared<T> => |cx| shared(T::ty(cx));
     [T: DslType + ?Sized] [T: ?Sized] &mut T as Exclusive<T> => |cx| Ty::Ref(Box::new(T::ty(cx)), true);
-    [T: DslType + ?Sized] [T: ?Sized] Shared<T> as Self => |cx| Ty::Ref(Box::new(T::ty(cx)), false);
+    [T: DslType + ?Sized] [T: ?Sized] Shared<T> as Self => |cx| shared(T::ty(cx));
     [T: DslType + ?Sized] [T: ?Sized] Exclusive<T> as Self => |cx| Ty::Ref(Box::new(T::ty(cx)), true);
     [T: DslType] [T: Seen] Option<T> as Option<T::Slot> => |cx| Ty::Option(Box::new(T::ty(cx)));
     [T: DslType, E: DslType] [T: Seen, E: Seen] Result<T, E> as Result<T::Slot, E::Slot>
@@ -325,6 +325,21 @@ dsl_types! {
 never_held! {
     [T: ?Sized] Shared<T>;
     [T: ?Sized] Exclusive<T>;
+}
+
+/// Returns the type of a shared reference. A name is a value: nobody can write to its text.
+fn shared(to: Ty) -> Ty {
+    match to {
+        Ty::Known(name, inner) if name == Ty::NAME => Ty::Known(name, inner),
+        other => Ty::Ref(Box::new(other), false),
+    }
+}
+
+/// The text of a name, which is its word.
+impl DslType for str {
+    fn ty(_: &mut Builder) -> Ty {
+        Ty::Known(Ty::NAME.into(), Box::new(Ty::Scalar(Scalar::Int(Int::U32))))
+    }
 }
 
 impl<T: DslType> DslType for [T] {

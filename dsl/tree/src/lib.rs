@@ -86,6 +86,20 @@ pub enum Ty {
     Known(String, Box<Ty>),
 }
 
+impl Ty {
+    /// Rust's name of the type of names, `&str`.
+    pub const NAME: &str = "str";
+
+    /// Returns true for names, and for arrays of them.
+    pub fn is_name(&self) -> bool {
+        match self {
+            Ty::Known(name, _) => name == Ty::NAME,
+            Ty::Array(element, _) | Ty::Ref(element, _) => element.is_name(),
+            _ => false,
+        }
+    }
+}
+
 /// Argument for a generic parameter.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Argument {
@@ -310,7 +324,8 @@ pub enum ExprKind {
     Bytes(Vec<u8>),
     /// A local by its name.
     Local(String),
-    /// A path that is no local: index into [`Function::constants`], and the path as the author wrote it.
+    /// A path that is no local: index into [`Function::constants`], and the path as the author wrote it. That of a
+    /// name, `"pump"`, is the text after a quotation mark.
     Path(u32, String),
     /// `-x`, `!x`.
     Unary(UnaryOp, Box<Expr>),

@@ -33,6 +33,9 @@ pub struct Package {
     /// Names of types that implement `Deref`, which no expression may use.
     #[serde(default)]
     pub derefs: Vec<String>,
+    /// Words and texts of the names in its constants, sorted.
+    #[serde(default)]
+    pub names: Vec<(u64, String)>,
     /// Refusals of the builder.
     pub errors: Vec<Refusal>,
 }

@@ -15,6 +15,11 @@ pub fn header(options: &Options) -> String {
     options.header(&format!("{}_sizes", identifier(&options.status)))
 }
 
+/// Returns the name of the header of names, which are macros for callers, too.
+pub fn names_header(options: &Options) -> String {
+    options.header(&format!("{}_names", identifier(&options.status)))
+}
+
 /// Returns true if a constant can be such a size.
 pub fn is_one(item: &Const) -> bool {
     item.given.public && item.given.section.is_none() && item.ty == Type::USIZE

@@ -288,6 +288,8 @@ impl Lowering<'_, '_> {
     fn words(&mut self, pattern: &Pattern, of: &Type, site: Site) -> Result<Option<Vec<i128>>> {
         let named = |name: &str, id| Some(self.case(id, name)?.0);
         let word = match (pattern, of) {
+            // Conditions name the constants of names; the cases of a `switch` would be numbers.
+            _ if self.cx.is_name(of) => return Ok(None),
             (Pattern::Or(cases), _) => {
                 let words = cases.iter().map(|case| self.words(case, of, site));
                 let words = words.collect::<Result<Option<Vec<_>>>>()?;

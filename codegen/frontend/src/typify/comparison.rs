@@ -376,6 +376,9 @@ impl Lowering<'_, '_> {
     /// Returns the number of an enum's value that `<` compares.
     pub(super) fn rank(&self, id: EnumId, value: Expr, site: Site) -> Result<Expr> {
         let definition = &self.cx.module.enums[id.index()];
+        if self.cx.is_name(&Type::Enum(id)) {
+            return refused(site, refusals::ORDER_OF_NAMES);
+        }
         if !self.cx.known(&Type::Enum(id)).ordered {
             return problem(
                 site,

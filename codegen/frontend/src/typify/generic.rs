@@ -47,6 +47,7 @@ fn bare(ty: &Ty, copied: bool) -> Ty {
         Ty::List(of, n) => Ty::List(element(of), *n),
         Ty::Slice(of) => Ty::Slice(element(of)),
         Ty::Ref(inner, mutable) => Ty::Ref(element(inner), *mutable),
+        Ty::Known(name, _) if name == Ty::NAME => ty.clone(),
         Ty::Known(_, inner) => *element(inner),
     }
 }
@@ -266,7 +267,7 @@ impl Context<'_> {
             }
             Type::Enum(id) => {
                 let item = &self.module.enums[id.index()];
-                self.qualified(&item.name, &item.module)
+                self.qualified(&capitalised(&item.name), &item.module)
             }
         }
     }

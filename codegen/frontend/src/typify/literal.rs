@@ -177,8 +177,15 @@ impl<'a> Lowering<'a, '_> {
         let source = self.source;
         let constant = source.constants.get(index as usize);
         let constant = constant.needed(site, "the tree names a constant that is not there")?;
+        self.cx.no_clash(&constant.words, site)?;
         let ty = self.cx.value_type(&constant.ty, site)?;
-        if let (Type::Enum(_), [word]) = (&ty, constant.words.as_slice()) {
+        if let (Some(text), [word]) = (name.strip_prefix('"'), constant.words.as_slice()) {
+            let id = self.cx.text(text, *word);
+            return self.node(ExprKind::Const(id), ty, site);
+        }
+        if let (Type::Enum(_), [word], false) =
+            (&ty, constant.words.as_slice(), self.cx.is_name(&ty))
+        {
             return self.node(ExprKind::Literal(*word), ty, site);
         }
         if ty == Type::Unit {
@@ -220,6 +227,7 @@ impl<'a> Lowering<'a, '_> {
         let owner = source.owner.as_ref().map(|path| self.cx.item_name(path).to_owned());
         let (module, name) = names::constant(&self.module_path(), owner.as_deref(), &name);
         let id = self.cx.constant(&module, &name, &ty, &words);
+        self.cx.module.consts[id.index()].given.hexadecimal |= constant.ty.is_name();
         self.node(ExprKind::Const(id), ty, site)
     }
 }

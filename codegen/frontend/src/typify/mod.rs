@@ -70,6 +70,7 @@ mod submatrix;
 mod syntax;
 #[cfg(test)]
 mod tests;
+mod text;
 mod typed;
 mod types;
 mod value;
@@ -79,7 +80,7 @@ mod zero_sized;
 use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, Package, Site};
-use bessemer_ir::{FunctionId, Module, Span, StructId, Type};
+use bessemer_ir::{EnumId, FunctionId, Module, Span, StructId, Type};
 
 use crate::diagnostic::{Diagnostic, OUR_FAULT};
 use crate::source::Sources;
@@ -198,6 +199,7 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::J
     errors.sort_by(|one, other| {
         (&one.file, one.line, one.column).cmp(&(&other.file, other.line, other.column))
     });
+    cx.names_to_numbers();
     let typed = if errors.is_empty() { Ok((cx.module, cx.typed)) } else { Err(errors) };
     (cx.types.joined, typed)
 }
@@ -353,6 +355,10 @@ struct Context<'a> {
     /// Names in snake case, below their module or type, that authors chose.
     authored: HashSet<String>,
     types: Types<'a>,
+    /// Type of names, once there is one.
+    names: Option<EnumId>,
+    /// Pairs of names with one word, by the word, which are not refused yet.
+    clashes: HashMap<u64, [&'a str; 2]>,
     calls: Calls<'a>,
     implied: Implied<'a>,
     /// Errors so far.
@@ -374,6 +380,8 @@ impl<'a> Context<'a> {
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
             authored: authored(package),
             types: Types::default(),
+            names: None,
+            clashes: text::clashes(&package.names),
             calls: Calls {
                 all: package.functions.iter().map(|it| (it.path.as_str(), it)).collect(),
                 own_iterators: generator::own_iterators(package),

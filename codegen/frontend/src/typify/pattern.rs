@@ -125,7 +125,7 @@ impl Lowering<'_, '_> {
         Ok(all)
     }
 
-    /// Tests a literal or a range of floats or of integers of 128 bits, by `==` and `<=`.
+    /// Tests a literal or a range of floats or of integers of 128 bits, or a name, by `==` and `<=`.
     fn test_compared(&mut self, pattern: &Pattern, place: &Place) -> Result<Test> {
         let bounds = match pattern {
             Pattern::Range { from, to, inclusive } => {
@@ -198,6 +198,7 @@ impl Lowering<'_, '_> {
             (Pattern::Value(_) | Pattern::Range { .. }, Type::Scalar(Scalar::Float(_))) => {
                 self.test_compared(pattern, place)
             }
+            (Pattern::Value(_), ty) if self.cx.is_name(ty) => self.test_compared(pattern, place),
             (Pattern::Value(_) | Pattern::Range { .. } | Pattern::Constructor(..), ty)
                 if ty.is_word() =>
             {

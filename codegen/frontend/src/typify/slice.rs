@@ -88,7 +88,10 @@ impl Lowering<'_, '_> {
 
     /// The slice that an expression denotes, or all elements of an array or a list.
     pub(super) fn sliced(&mut self, expr: &tree::Expr) -> Result<Slice> {
-        self.all_elements(expr, |_, _| refusals::IN_A_ROW)
+        self.all_elements(expr, |inner, ty| match inner.cx.is_name(ty) {
+            true => refusals::PART_OF_A_NAME,
+            false => refusals::IN_A_ROW,
+        })
     }
 
     /// Returns all elements of an expression; `why` returns the refusal for a type without elements.

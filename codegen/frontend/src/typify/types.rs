@@ -88,6 +88,9 @@ impl<'a> Context<'a> {
                     return self.define_nothing(definition, name);
                 }
                 let (initial, defaults) = (initial.clone(), defaults.clone());
+                for words in [&initial, &defaults].into_iter().flatten() {
+                    self.no_clash(words, site)?;
+                }
                 if initial.is_some() || defaults.is_some() {
                     self.tell_defaults(definition, &mut fields);
                 }
@@ -236,6 +239,7 @@ impl<'a> Context<'a> {
             Ty::Ref(inner, mutable) if let Ty::Slice(element) = &**inner => {
                 self.borrowed(element, *mutable, site)?
             }
+            Ty::Known(name, _) if name == Ty::NAME => self.name_type(),
             Ty::Ref(inner, _) | Ty::Known(_, inner) => self.pointee(inner, site)?,
             Ty::Slice(element) => self.borrowed(element, false, site)?,
             Ty::Tuple(_) | Ty::List(..) | Ty::Option(_) | Ty::Result(..) => {

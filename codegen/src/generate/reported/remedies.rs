@@ -6,6 +6,12 @@ use super::types::{is_known, is_parameter};
 pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
     let generic = is_parameter(owner);
     Some(match method {
+        "len" if owner == "str" => {
+            "the C has a number for each name, and no bytes: compute the length ahead, `const LENGTH: usize = NAME.len();`"
+        }
+        _ if owner == "str" => {
+            "the C has a number for each name, and no bytes: compare names by `==` or `match`; write `Text<N>` for a text with bytes"
+        }
         "min" | "max" | "clamp" if generic => {
             "compare generic values with `<`: `if b < a { b } else { a }`"
         }

@@ -2,7 +2,8 @@
 
 /// Returns a type without references and modules, with nalgebra's alias for a matrix.
 pub fn written(ty: &str) -> String {
-    shown(ty.trim_start_matches("&mut ").trim_start_matches('&'))
+    let ty = ty.trim_start_matches("&mut ").trim_start_matches('&');
+    shown(ty.strip_prefix("'static ").unwrap_or(ty))
 }
 
 /// Returns the name of a type without path and parameters.

@@ -80,9 +80,9 @@ impl Lowering {
 
     pub(super) fn method_call(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
         let mut arguments = vec![self.value(&mut it.receiver)];
-        // What a panic would say stays in the Rust. Nothing else takes a text alone: rustc tells of it.
-        let message = it.args.len() == 1
-            && matches!(&it.args[0], syn::Expr::Lit(it) if matches!(it.lit, syn::Lit::Str(_)));
+        // What a panic would say stays in the Rust.
+        let message = matches!(text(&it.method).as_str(), "expect" | "expect_err")
+            && matches!(it.args.first(), Some(syn::Expr::Lit(it)) if matches!(it.lit, syn::Lit::Str(_)));
         if !message {
             arguments.extend(it.args.iter_mut().map(|argument| self.handed(argument)));
         }

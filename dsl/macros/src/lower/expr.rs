@@ -10,7 +10,7 @@ use super::names::{UNIT, place, site, text};
 use super::operator::Side;
 use super::rewrite::held;
 use super::syntax::{is_of_type, is_variant, last_segment};
-use super::walk::{Lowering, see_in};
+use super::walk::{Constant, Lowering, see_in};
 use super::{call, loops, macros, operator, pattern, refuse, signature};
 
 impl Lowering {
@@ -227,6 +227,10 @@ impl Lowering {
             syn::Lit::Byte(it) => code(it.value().into(), Int::U8),
             syn::Lit::ByteStr(it) => ExprKind::Bytes(it.value()),
             syn::Lit::Char(it) => code(it.value().into(), Int::U32),
+            syn::Lit::Str(it) => ExprKind::Path(
+                self.held_as(it.to_token_stream(), Constant::Value).1,
+                format!("\"{}", it.value()),
+            ),
             other => self.refused(other, refuse::STRING),
         }
     }

@@ -242,12 +242,21 @@ impl Lowering {
         path: &syn::Path,
         constant: Constant,
     ) -> tree::Expr {
-        let slot = self.slot();
-        let index = self.constants.len() as u32;
-        self.constants.push(Evaluated { slot, imports: self.imports.clone(), tokens, constant });
+        let (slot, index) = self.held_as(tokens, constant);
         let segments: Vec<_> = path.segments.iter().map(|segment| text(&segment.ident)).collect();
         let name = segments.join("::");
         tree::Expr { kind: tree::ExprKind::Path(index, name), site: site(path), slot: Some(slot) }
+    }
+
+    /// Adds a value that rustc evaluates; returns its slot and its index.
+    pub(super) fn held_as(
+        &mut self,
+        tokens: proc_macro2::TokenStream,
+        constant: Constant,
+    ) -> (u32, u32) {
+        let (slot, index) = (self.slot(), self.constants.len() as u32);
+        self.constants.push(Evaluated { slot, imports: self.imports.clone(), tokens, constant });
+        (slot, index)
     }
 }
 

@@ -146,7 +146,7 @@ reasons! {
     PATTERN: "this pattern is not supported", "match on values, ranges, variants, structs, tuples, arrays, names and `_`";
     DISCRIMINANT: "an enum with payloads cannot number its variants", "remove the numbers; where a protocol fixes them, `match` on the value";
     UNION: "C cannot check the type of a union's bytes", "use a struct, and `to_bits`/`from_bits` for the bits of a float";
-    STRING: "`str` is not supported", "use an enum for a choice; write `*b\"abc\"` for bytes, or `Text::of(b\"abc\")` for a `Text<8>`";
+    STRING: "this kind of text is not supported", "write `&'static str` and `\"abc\"` for a name that is only compared; write `*b\"abc\"` for bytes, or `Text::of(b\"abc\")` for a `Text<8>`";
     SUFFIX: "this literal has an unknown suffix", "write a product with `*`, `2.0 * x`; the types of numbers are `f64`, `u8` and the like: `2_u8`";
     NO_FUNCTION: "this variable is not known to be a function", "declare a parameter that is a function by its calls: `law: impl Fn(f64) -> f64`, or with a type parameter `F: Fn(f64) -> f64`; an element of an array is `v[0]`";
     FUNCTION_VALUE: "a function cannot be stored as a value", "call the function by its name; exchange an implementation through an `#[interface]`, or an `enum` with a `match`";

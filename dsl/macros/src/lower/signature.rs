@@ -104,21 +104,22 @@ pub fn named_part(ty: &syn::Type) -> Span {
 
 /// Returns true if a function returns a reference.
 pub fn gives_reference(signature: &syn::Signature) -> bool {
-    matches!(&signature.output, syn::ReturnType::Type(_, ty) if matches!(**ty, syn::Type::Reference(_)))
+    let syn::ReturnType::Type(_, ty) = &signature.output else { return false };
+    matches!(&**ty, syn::Type::Reference(it) if !is_name(it))
 }
 
 /// Returns true if a function returns a reference to a value, which is a place; a slice is a value.
 pub fn lends(signature: &syn::Signature) -> bool {
     let syn::ReturnType::Type(_, ty) = &signature.output else { return false };
-    matches!(&**ty, syn::Type::Reference(it) if !matches!(*it.elem, syn::Type::Slice(_)))
+    matches!(&**ty, syn::Type::Reference(it) if !matches!(*it.elem, syn::Type::Slice(_)) && !is_name(it))
 }
 
 /// Returns true if the syntax of a function's result shows that it borrows.
 pub fn borrows(signature: &syn::Signature) -> bool {
     struct Borrows(bool);
     impl<'ast> Visit<'ast> for Borrows {
-        fn visit_type_reference(&mut self, _: &'ast syn::TypeReference) {
-            self.0 = true;
+        fn visit_type_reference(&mut self, it: &'ast syn::TypeReference) {
+            self.0 |= !is_name(it);
         }
         fn visit_lifetime(&mut self, _: &'ast syn::Lifetime) {
             self.0 = true;
@@ -177,6 +178,7 @@ fn check_signature(signature: &syn::Signature, refusals: &mut Refusals) {
     if let syn::ReturnType::Type(_, ty) = &signature.output {
         match &**ty {
             // What is lent; which function may do so says the walk.
+            syn::Type::Reference(it) if is_name(it) => {}
             syn::Type::Reference(it) => match &*it.elem {
                 syn::Type::Slice(slice) => check_type(&slice.elem, refusals),
                 inner => check_type(inner, refusals),
@@ -206,6 +208,7 @@ impl<'ast> Visit<'ast> for Types<'_> {
     fn visit_type(&mut self, ty: &'ast syn::Type) {
         let reason = match ty {
             syn::Type::Ptr(_) => refuse::POINTER,
+            syn::Type::Reference(it) if is_name(it) => return,
             syn::Type::Reference(it) if !self.field => match &*it.elem {
                 // A slice that is passed.
                 syn::Type::Slice(slice) => return self.visit_type(&slice.elem),
@@ -243,6 +246,12 @@ impl<'ast> Visit<'ast> for Types<'_> {
 
     /// Skips the lengths of arrays, which rustc evaluates.
     fn visit_expr(&mut self, _: &'ast syn::Expr) {}
+}
+
+/// Returns true for `&str`, a name, which is a value.
+pub(super) fn is_name(it: &syn::TypeReference) -> bool {
+    let is_str = matches!(&*it.elem, syn::Type::Path(path) if path.path.is_ident("str"));
+    it.mutability.is_none() && is_str
 }
 
 fn is_unsized(ty: &syn::Type) -> bool {

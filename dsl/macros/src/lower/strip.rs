@@ -5,6 +5,7 @@
 use syn::visit_mut::{self, VisitMut};
 
 use super::refuse::Refusals;
+use super::signature::is_name;
 use super::{loops, refuse};
 use crate::conditions::{conditional, is_harmless};
 
@@ -25,7 +26,7 @@ fn is_conditional(attribute: &syn::Attribute) -> bool {
     path.is_ident("cfg") || path.is_ident("cfg_attr") && conditional(attribute).is_none()
 }
 
-/// Removes attributes and lifetimes from a copy of a function.
+/// Removes attributes and lifetimes from a copy of a function. A name, `&str`, is a value, so it lasts.
 pub fn strip(signature: &mut syn::Signature, body: &mut syn::Block, refusals: &mut Refusals) {
     let mut strip = Strip { refusals };
     for input in &mut signature.inputs {
@@ -140,7 +141,7 @@ impl VisitMut for Strip<'_> {
 
     fn visit_type_reference_mut(&mut self, ty: &mut syn::TypeReference) {
         visit_mut::visit_type_reference_mut(self, ty);
-        ty.lifetime = None;
+        ty.lifetime = is_name(ty).then(|| syn::Lifetime::new("'static", ty.and_token.span));
     }
 
     fn visit_generic_argument_mut(&mut self, argument: &mut syn::GenericArgument) {

@@ -48,11 +48,12 @@ pub(super) fn shared(
     let ids: Vec<ConstId> = used.iter().copied().filter(|id| !name(*id).is_empty()).collect();
     let (mut declared, mut defined) = (Vec::new(), Vec::new());
     let (mut of_header, mut of_source) = (Includes::default(), Includes::default());
-    let mut sizes = Vec::new();
+    let (mut sizes, mut texts) = (Vec::new(), Vec::new());
     for (name, id) in by_name(&ids, name) {
         let item = &context.module.consts[id.index()];
-        if sizes::is_one(item) {
-            sizes.push(size(context, id, name));
+        if sizes::is_one(item) || item.is_name() {
+            let list = if item.is_name() { &mut texts } else { &mut sizes };
+            list.push(defined_for_callers(context, id, name));
             continue;
         }
         if is_in_header(item) {
@@ -109,15 +110,15 @@ pub(super) fn shared(
             of_source,
         ));
     }
-    if !sizes.is_empty() {
-        let mut includes = Includes::default();
-        includes.ty(context, &Type::USIZE);
-        files.push(file(
-            &sizes::header(options),
-            "sizes and numbers of elements.",
-            &sizes,
-            includes,
-        ));
+    for (header, summary, items) in [
+        (sizes::header(options), "sizes and numbers of elements.", sizes),
+        (sizes::names_header(options), "names, each as the CRC-32 of its text.", texts),
+    ] {
+        if !items.is_empty() {
+            let mut includes = Includes::default();
+            includes.ty(context, &Type::USIZE);
+            files.push(file(&header, summary, &items, includes));
+        }
     }
     files
 }
@@ -129,12 +130,17 @@ fn is_in_header(item: &Const) -> bool {
     item.given.section.is_none() && (item.ty.is_word() || few)
 }
 
-fn size(context: Context<'_>, id: ConstId, name: &str) -> Item {
+/// Returns the macro of a size or a name.
+fn defined_for_callers(context: Context<'_>, id: ConstId, name: &str) -> Item {
     let item = &context.module.consts[id.index()];
+    let value = match item.ty.as_int().filter(|_| item.given.hexadecimal) {
+        Some(int) => literal::hexadecimal(int, int.from_word(item.words[0])),
+        None => literal::word(context.names, &item.ty, item.words[0], Readers::Cpp),
+    };
     Item::Define {
         docs: described::constant(context.names, item),
         name: name.to_owned(),
-        value: literal::word(context.names, &item.ty, item.words[0], Readers::Cpp),
+        value,
         origin: origin(item.span),
         path: item.path(),
     }

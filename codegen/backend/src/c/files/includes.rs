@@ -52,10 +52,11 @@ impl Includes {
         self.own.extend(calls_helpers.then(|| helpers_header::name(options)));
         let shared = |id: &&ConstId| context.names.shared_constant(**id).is_some();
         for id in uses.consts.iter().filter(shared) {
-            let is_size = sizes::is_one(&context.module.consts[id.index()]);
-            self.own.insert(match is_size {
-                true => sizes::header(options),
-                false => internal::constants(options),
+            let item = &context.module.consts[id.index()];
+            self.own.insert(match (sizes::is_one(item), item.is_name()) {
+                (true, _) => sizes::header(options),
+                (_, true) => sizes::names_header(options),
+                _ => internal::constants(options),
             });
         }
     }
