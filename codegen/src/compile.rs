@@ -48,6 +48,8 @@ pub struct Compiled {
     pub fast: Vec<(String, String)>,
     /// Functions of the target's `math.h` that the C calls, so that its bits may differ from Rust's.
     pub library: Vec<String>,
+    /// Texts of the names, `&str`, whose words are in it.
+    pub names: Vec<String>,
 }
 
 /// Compiles a package.
@@ -65,6 +67,8 @@ pub fn compile(
         gate(&typed.0)?;
         of_module(typed, Some(sources), &package.license, options)
     });
+    let names = package.names.iter().map(|(_, text)| text.clone()).collect();
+    let compiled = compiled.map(|it| Compiled { names, ..it });
     compiled.map_err(|errors| errors.into_iter().map(|it| by_deref(package, it)).collect())
 }
 
@@ -91,7 +95,9 @@ impl Compiled {
     ///
     /// All errors in it, at the author's lines.
     pub fn anew(&self, options: &Options) -> Result<Compiled, Vec<Diagnostic>> {
-        deep(|| of_module((self.module.clone(), self.typed), None, &self.license, options))
+        let typed = (self.module.clone(), self.typed);
+        let compiled = deep(|| of_module(typed, None, &self.license, options))?;
+        Ok(Compiled { names: self.names.clone(), ..compiled })
     }
 }
 
@@ -137,6 +143,7 @@ fn of_module(
         replaced,
         fast,
         library,
+        names: Vec::new(),
     })
 }
 

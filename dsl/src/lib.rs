@@ -47,11 +47,9 @@
 
 #![no_std]
 
-#[cfg(feature = "generate")]
+#[cfg(any(feature = "generate", feature = "names"))]
 extern crate alloc;
 extern crate self as bessemer;
-#[cfg(feature = "names")]
-extern crate std;
 
 #[cfg(not(feature = "generate"))]
 #[doc(hidden)]

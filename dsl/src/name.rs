@@ -9,6 +9,7 @@ use alloc::{string::String, vec::Vec};
 use crate::function;
 
 /// Returns true for the name without letters.
+#[allow(clippy::comparison_to_empty)] // The DSL has `is_empty` from here.
 #[function(expand)]
 pub fn is_empty(name: &'static str) -> bool {
     name == ""
@@ -69,16 +70,15 @@ fn spelled(wanted: u32) -> [u8; 32] {
     text
 }
 
-/// Returns the word of a name, and remembers the name for [`name`].
+/// Returns the word of a name. The program that builds trees registers each name whose word it stores.
 pub fn stored(name: &'static str) -> u32 {
-    let word = word(name.as_bytes());
-    #[cfg(feature = "names")]
-    known::remember(word, name);
-    word
+    #[cfg(feature = "generate")]
+    known::register(name);
+    word(name.as_bytes())
 }
 
-/// Returns a name that has this word, in programs around a package: the stored one, or one of letters. Elsewhere there
-/// is no memory for its text.
+/// Returns a name that has this word, in programs around a package: the registered one, or one of letters. Elsewhere
+/// there is no memory for its text.
 pub fn name(word: u32) -> &'static str {
     #[cfg(feature = "names")]
     return known::name(word);
@@ -89,43 +89,58 @@ pub fn name(word: u32) -> &'static str {
     }
 }
 
-/// Returns the names that were stored so far, by word; two names may have one word.
+#[cfg(feature = "names")]
+pub use known::register;
+
+/// Returns the registered names by word; two names may have one word.
 #[cfg(feature = "generate")]
-pub(crate) fn known() -> Vec<(u64, String)> {
-    known::all().into_iter().map(|(word, name)| (word.into(), name.into())).collect()
+pub(crate) fn registered() -> Vec<(u64, String)> {
+    let mut all: Vec<_> = known::all().map(|it| (it.word.into(), it.name.into())).collect();
+    all.sort();
+    all
 }
 
-/// The names of a program, by word.
+/// The registered names of a program. This needs no `std`, which would add methods to floats.
 #[cfg(feature = "names")]
 mod known {
-    use std::boxed::Box;
-    use std::collections::BTreeSet;
-    use std::sync::{Mutex, MutexGuard, PoisonError};
+    use alloc::boxed::Box;
 
-    type Names = BTreeSet<(u32, &'static str)>;
+    use once_cell::race::OnceBox;
 
-    static NAMES: Mutex<Names> = Mutex::new(BTreeSet::new());
-
-    fn names() -> MutexGuard<'static, Names> {
-        NAMES.lock().unwrap_or_else(PoisonError::into_inner)
+    /// A name in the list, and the next one.
+    pub struct Known {
+        pub word: u32,
+        pub name: &'static str,
+        next: OnceBox<Known>,
     }
 
-    pub fn remember(word: u32, name: &'static str) {
-        names().insert((word, name));
+    static FIRST: OnceBox<Known> = OnceBox::new();
+
+    /// Returns the list.
+    pub fn all() -> impl Iterator<Item = &'static Known> {
+        core::iter::successors(FIRST.get(), |it| it.next.get())
+    }
+
+    /// Adds a name whose text is needed, once.
+    pub fn register(name: &'static str) {
+        let word = super::word(name.as_bytes());
+        let mut end = &FIRST;
+        loop {
+            let known = end.get_or_init(|| Box::new(Known { word, name, next: OnceBox::new() }));
+            if known.name == name {
+                return;
+            }
+            end = &known.next;
+        }
     }
 
     pub fn name(word: u32) -> &'static str {
-        let known = names().range((word, "")..).next().copied().filter(|found| found.0 == word);
         let letters = || {
             let text = Box::leak(Box::new(super::spelled(word)));
             core::str::from_utf8(text).unwrap_or_default()
         };
-        if word == 0 { "" } else { known.map_or_else(letters, |found| found.1) }
-    }
-
-    #[cfg(feature = "generate")]
-    pub fn all() -> Names {
-        names().clone()
+        let known = all().find(|it| it.word == word);
+        if word == 0 { "" } else { known.map_or_else(letters, |it| it.name) }
     }
 }
 

@@ -70,6 +70,9 @@ pub fn compiled_with(package: &str, options: &compile::Options) -> Compiled {
     let package = tree.unwrap_or_else(|error| panic!("{error}")).package;
     let compiled = compile::compile(&package, &sources, options)
         .unwrap_or_else(|errors| panic!("{}", diagnostic::render(&errors, &sources, false)));
+    for name in &compiled.names {
+        bessemer::name::register(name.clone().leak());
+    }
     // To look at the C of a test's package: `BESSEMER_SHOW=folder cargo test …`.
     if let Some(folder) = std::env::var_os("BESSEMER_SHOW") {
         for file in &compiled.files {

@@ -136,7 +136,7 @@ fn compared(
         std::fs::write(path, outputs::csv(module, case)).map_err(failed)?;
     }
     let mut legs = Vec::new();
-    let (program, left) = rust(&job, module, &mut cases)?;
+    let (program, left) = rust(&job, &compiled, &mut cases)?;
     if let Some(program) = program {
         legs.push(("Rust".to_owned(), of_rust(&cases, &program.path())?));
     }
@@ -370,7 +370,7 @@ fn named(module: &Module, function: &Function) -> String {
 /// The program of the Rust, and those of the cases that it cannot call, which leave the list.
 fn rust(
     job: &generate::Job,
-    module: &Module,
+    Compiled { module, names, .. }: &Compiled,
     cases: &mut Vec<Case>,
 ) -> Result<(Option<Program>, Vec<String>), Error> {
     let mut left = Vec::new();
@@ -387,8 +387,8 @@ fn rust(
         if functions.is_empty() {
             return Ok((None, left));
         }
-        let (text, first) = native::program(module, &functions);
-        let said = match generate::native(job, &text, native::has_names(module))
+        let (text, first) = native::program(module, names, &functions);
+        let said = match generate::native(job, &text, !names.is_empty())
             .map_err(bessemer_project::Error::from)?
         {
             Ok(program) => return Ok((Some(program), left)),

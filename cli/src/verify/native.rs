@@ -6,7 +6,7 @@
 
 use std::fmt::Write as _;
 
-use bessemer_ir::{Const, Function, Mode, Module, Owner, Type};
+use bessemer_ir::{Function, Mode, Module, Owner, Type};
 
 /// The head of the program, before the calls.
 const SUPPORT: &str = r#"//! A program around a package's entry points.
@@ -47,14 +47,18 @@ fn call<T: Plain>(call: impl FnOnce() -> T) -> Option<T> {
 
 /// Returns the program with one line for each of these entry points; error messages count lines from the first of
 /// them.
-pub fn program(module: &Module, entries: &[&Function]) -> (String, usize) {
+pub fn program(module: &Module, names: &[String], entries: &[&Function]) -> (String, usize) {
     let mut text = SUPPORT.to_owned();
     let first = text.lines().count() + 1;
     for (index, function) in entries.iter().enumerate() {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "fn call_{index}() {{ {} }}", call(module, function));
     }
-    text += "fn main() {\n    std::panic::set_hook(Box::new(|_| {}));\n    loop {\n        match get() {\n";
+    text += "fn main() {\n    std::panic::set_hook(Box::new(|_| {}));\n";
+    for name in names {
+        let _ = writeln!(text, "    bessemer::name::register({name:?});");
+    }
+    text += "    loop {\n        match get() {\n";
     for index in 0..entries.len() {
         let _ = writeln!(text, "            {index} => call_{index}(),");
     }
@@ -79,21 +83,8 @@ fn call(module: &Module, function: &Function) -> String {
             let _ = write!(stores, "store(&{name}); ");
         }
     }
-    let ty = format!("{}::{}", owner.module, owner.name);
-    let path = format!("{ty}::{}", function.name);
-    if has_names(module) {
-        // Names of the initial state are known before they are read.
-        let initial = format!("<{ty} as Default>::default().store(&mut |_| {{}})");
-        loads = format!(
-            "static FIRST: std::sync::Once = std::sync::Once::new(); FIRST.call_once(|| {initial}); {loads}"
-        );
-    }
+    let path = format!("{}::{}::{}", owner.module, owner.name, function.name);
     format!("{loads}if call(|| {path}({})).is_some() {{ {stores}}}", arguments.join(", "))
-}
-
-/// Returns true if values of the module may have names.
-pub fn has_names(module: &Module) -> bool {
-    module.consts.iter().any(Const::is_name)
 }
 
 /// Returns true if such a program can call the function: it has a component and no borrowed slice.

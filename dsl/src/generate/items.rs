@@ -136,7 +136,7 @@ pub fn package(name: &str, library: &str, license: &str) -> String {
         }
     }
     builder.package.implied = operators::implied(&mut builder);
-    builder.package.names = crate::name::known();
+    builder.package.names = crate::name::registered();
     serde_json::to_string(&builder.package).unwrap_or_default()
 }
 

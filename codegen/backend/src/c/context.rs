@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use bessemer_ir::{ConstId, FunctionId, Module};
+use bessemer_ir::{Const, ConstId, FunctionId, Int, Module, Scalar, Type};
 
 use super::analysis::Faults;
 use super::helpers::Helper;
@@ -36,4 +36,16 @@ pub struct Context<'a> {
     pub names: &'a Names,
     /// Set of functions that can fault.
     pub faults: &'a Faults,
+}
+
+impl<'a> Context<'a> {
+    /// Returns the constant of the name, `&str`, with this word. Other numbers may have its word by chance; zero, the
+    /// word of the empty name, often does, and stays a number.
+    pub fn text(self, ty: &Type, word: u64) -> Option<(ConstId, &'a str)> {
+        let is_text = |item: &Const| item.is_name() && item.words == [word];
+        let index = (word != 0 && *ty == Type::Scalar(Scalar::Int(Int::U32)))
+            .then(|| self.module.consts.iter().position(is_text))??;
+        let id = ConstId(index as u32);
+        Some((id, self.names.shared_constant(id)?))
+    }
 }

@@ -83,6 +83,7 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     consts.append(&mut uses.consts);
     list.extend(helpers_header::header(context, options, &helpers));
     consts.extend(sizes::named(context.module));
+    consts.extend(sizes::names(context.module));
     list.extend(constants::shared(context, options, &consts));
     if list.iter().any(|file| file.name.ends_with(".c")) {
         list.push(target::header(context, options));

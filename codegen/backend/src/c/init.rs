@@ -100,13 +100,24 @@ impl Writer<'_> {
         self.body.push(plain(StmtKind::Assign(place, "=", value)));
     }
 
+    /// Returns a word as a C constant.
+    fn word(&mut self, ty: &Type, word: u64) -> Expr {
+        match self.context.text(ty, word) {
+            Some((id, name)) => {
+                self.uses.consts.insert(id);
+                Expr::name(name)
+            }
+            None => literal::word(self.context.names, ty, word, Readers::C),
+        }
+    }
+
     /// Sets a place to a value; `sizes` are the constants that name its lengths.
     fn value(&mut self, place: Expr, ty: &Type, sizes: &[Option<ConstId>], words: &[u64]) {
         match ty {
             Type::Unit | Type::Slice(_) => {}
             Type::Scalar(_) | Type::Enum(_) => {
                 self.uses.system.extend(literal::needs_math(ty, words[0]).then_some("math.h"));
-                let value = literal::word(self.context.names, ty, words[0], Readers::C);
+                let value = self.word(ty, words[0]);
                 self.set(place, value);
             }
             Type::Struct(id) => self.structure(place, *id, words),
@@ -177,9 +188,7 @@ impl Writer<'_> {
         let tables = &self.tables;
         let name = unique(&format!("initial_{field}"), |name| tables.contains(name));
         self.tables.insert(name.clone());
-        let items = words.iter().map(|word| {
-            (None, Init::Value(literal::word(self.context.names, element, *word, Readers::C)))
-        });
+        let items = words.iter().map(|word| (None, Init::Value(self.word(element, *word))));
         let init = Init::List { items: items.collect(), lines: Lines::Fill };
         let declarator = Declarator {
             ty: format!("static const {}", self.context.names.word(element)),

@@ -25,6 +25,12 @@ pub fn is_one(item: &Const) -> bool {
     item.given.public && item.given.section.is_none() && item.ty == Type::USIZE
 }
 
+/// Returns the constants of names, `&str`: callers compare with any of them.
+pub fn names(module: &Module) -> impl Iterator<Item = ConstId> {
+    let is_name = module.consts.iter().map(Const::is_name).enumerate();
+    is_name.filter(|(_, is_name)| *is_name).map(|(index, _)| ConstId(index as u32))
+}
+
 /// Returns the constants that name lengths in the module.
 pub fn named(module: &Module) -> BTreeSet<ConstId> {
     let fields = module.structs.iter().flat_map(|it| &it.fields).map(|field| &field.given);

@@ -199,6 +199,7 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::J
     errors.sort_by(|one, other| {
         (&one.file, one.line, one.column).cmp(&(&other.file, other.line, other.column))
     });
+    cx.all_names();
     cx.names_to_numbers();
     let typed = if errors.is_empty() { Ok((cx.module, cx.typed)) } else { Err(errors) };
     (cx.types.joined, typed)

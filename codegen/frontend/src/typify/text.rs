@@ -60,6 +60,13 @@ impl Context<'_> {
         matches!(ty, Type::Enum(id) if self.names == Some(*id))
     }
 
+    /// Adds the constants of names that are only in tables and initial states: callers compare with them, too.
+    pub(super) fn all_names(&mut self) {
+        if self.names.is_some() {
+            self.package.names.iter().for_each(|(word, text)| _ = self.text(text, *word));
+        }
+    }
+
     /// Makes the names of the module numbers.
     pub(super) fn names_to_numbers(&mut self) {
         let Some(names) = self.names else { return };

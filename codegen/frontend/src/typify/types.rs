@@ -89,7 +89,9 @@ impl<'a> Context<'a> {
                 }
                 let (initial, defaults) = (initial.clone(), defaults.clone());
                 for words in [&initial, &defaults].into_iter().flatten() {
-                    self.no_clash(words, site)?;
+                    if let Err(clash) = self.no_clash(words, site) {
+                        self.tell(&definition.file, clash);
+                    }
                 }
                 if initial.is_some() || defaults.is_some() {
                     self.tell_defaults(definition, &mut fields);

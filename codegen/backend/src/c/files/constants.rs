@@ -17,7 +17,7 @@ use crate::c::literal::{self, Readers};
 use crate::c::options::Options;
 use crate::c::shell::Shell;
 use crate::c::spelling::identifier;
-use crate::c::tree::{Init, Item, Lines, Storage};
+use crate::c::tree::{Expr, Init, Item, Lines, Storage};
 use crate::c::{asked, described, internal, sizes, target};
 
 /// Largest number of words in a polynomial; longer constants are tables.
@@ -176,6 +176,9 @@ fn constant(
     if leaves.iter().zip(&item.words).any(|(ty, word)| literal::needs_math(ty, *word)) {
         includes.system.insert("math.h");
     }
+    if leaves.iter().zip(&item.words).any(|(ty, word)| context.text(ty, *word).is_some()) {
+        includes.own.insert(sizes::names_header(options));
+    }
     let section = item.given.section.as_ref();
     Item::Constant {
         storage: Storage::Static,
@@ -241,8 +244,9 @@ fn constant_init(
             let (word, rest) = words.split_first().expect("the validator counts words");
             *words = rest;
             let (hexadecimal, readers) = spelling;
-            Init::Value(match (hexadecimal, ty.as_int()) {
-                (true, Some(int)) if !int.signed() => {
+            Init::Value(match (context.text(ty, *word), hexadecimal, ty.as_int()) {
+                (Some((_, name)), ..) => Expr::name(name),
+                (None, true, Some(int)) if !int.signed() => {
                     literal::hexadecimal(int, int.from_word(*word))
                 }
                 _ => literal::word(context.names, ty, *word, readers),
