@@ -81,10 +81,7 @@ bool settings_set(settings_t *self, uint8_t number, double value, bool flying)
     if (n >= TUNING_PARAMETER_COUNT || (flying && n >= TUNING_FIRST_GROUND_ONLY)) {
         return false;
     }
-    bool good = value >= TUNING_LEAST_VALUES[n];
-    if (good) {
-        good = value <= TUNING_LARGEST_VALUES[n];
-    }
+    const bool good = value >= TUNING_LEAST_VALUES[n] && value <= TUNING_LARGEST_VALUES[n];
     if (!good) {
         return false;
     }

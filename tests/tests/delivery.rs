@@ -180,7 +180,8 @@ fn programs_run_their_own_workspaces_rust() {
     });
     for (workspace, expected) in both.iter().zip(["4\n", "6\n"]) {
         let text = "fn main() { println!(\"{}\", models::twice(2.0)); }";
-        let program = generate::native(&workspace.job(), text, false).expect("built").expect("linked");
+        let program =
+            generate::native(&workspace.job(), text, false).expect("built").expect("linked");
         let output = Command::new(program.path()).output().expect("it runs");
         assert_eq!(String::from_utf8_lossy(&output.stdout), expected);
     }

@@ -11,6 +11,7 @@
 mod axes;
 pub mod diagnostic;
 pub mod fuse;
+mod numbered_names;
 pub mod source;
 mod standard;
 mod takers;

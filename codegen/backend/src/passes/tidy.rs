@@ -3,6 +3,7 @@
 //! * A value that is read from a place and stored there again.
 //! * A local of the passes that only passes its value on: to the next statement, to the `if` that tests it, or to the
 //!   author's local.
+//! * A local that an `if` alone sets to the right side of `&&` or `||`: it is the whole condition.
 //! * A local of numbers that a loop computes for one other loop: that loop computes them.
 //! * A local of equal numbers that is only copied as a whole: each copy is of these numbers.
 //!
@@ -11,7 +12,8 @@
 
 use bessemer_ir::visit::{Access, VisitMut, Walk, walk_block_mut, walk_expr_mut, walk_place_mut};
 use bessemer_ir::{
-    Block, Expr, ExprKind, Function, LocalId, Mode, Place, Scalar, Step, Stmt, StmtKind, Type,
+    Block, Expr, ExprKind, Function, LocalId, LogicOp, Mode, Place, Scalar, Step, Stmt, StmtKind,
+    Type,
 };
 
 use super::places::{disturbs, elementwise, outer};
@@ -57,6 +59,7 @@ impl VisitMut for Tidy<'_> {
                 || self.put_back_later(&mut block.0, at)
                 || self.handed_on(&mut block.0, at)
                 || self.asked(&mut block.0, at)
+                || self.joined(&mut block.0, at)
                 || self.renamed(&mut block.0, at)
                 || self.equal(&mut block.0, at)
                 || self.fused(&mut block.0, at);
@@ -164,6 +167,52 @@ impl Tidy<'_> {
             hand_down(stmts, at, first.comments);
         }
         decides
+    }
+
+    /// Simplifies `let both = false; if a { both = b; }` to `let both = a && b;`, and likewise `||`. Names of constants
+    /// for `b` move before it.
+    fn joined(&self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
+        let [Stmt { kind: StmtKind::Let { local, value: Some(value) }, .. }, next, ..] =
+            &stmts[at..]
+        else {
+            return false;
+        };
+        let (ExprKind::Literal(start), StmtKind::If { condition, then, otherwise }) =
+            (&value.kind, &next.kind)
+        else {
+            return false;
+        };
+        let Some((Stmt { kind: StmtKind::Assign { place, value: right }, .. }, names)) =
+            then.0.split_last()
+        else {
+            return false;
+        };
+        let is_constant = |it: &Stmt| {
+            let StmtKind::Let { value: Some(value), .. } = &it.kind else { return false };
+            matches!(value.kind, ExprKind::Const(_))
+        };
+        let plain = names.iter().all(is_constant)
+            && then.0.iter().all(|it| it.comments.is_empty())
+            && otherwise.0.is_empty();
+        let (op, left) = match start {
+            0 => (LogicOp::And, condition.clone()),
+            _ => (LogicOp::Or, condition.clone().negated()),
+        };
+        let sets = place.root == *local && place.steps.is_empty() && place.ty == Type::BOOL;
+        let nests = |it: &Expr| {
+            !mentions(it, *local) && positions::accepts(self.callees, Position::Nested, it)
+        };
+        if !(sets && plain && nests(&left) && nests(right)) {
+            return false;
+        }
+        let (whole, names) = (Expr::logic(op, left, right.clone()), names.to_vec());
+        let removed = stmts.remove(at + 1);
+        if let StmtKind::Let { value, .. } = &mut stmts[at].kind {
+            *value = Some(whole);
+        }
+        stmts[at].comments.extend(removed.comments);
+        stmts.splice(at..at, names);
+        true
     }
 
     /// Simplifies `let made = …; …; let name = made;`.

@@ -111,18 +111,17 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Lowers a logic operation whose right side needs statements, with a temporary for its result.
+    /// Lowers a logic operation whose right side needs statements, with a temporary for its result: the `if` tests the
+    /// left side itself, of which the passes then know that it holds.
     fn right_behind(&mut self, op: LogicOp, left: Expr, right: Expr, mut inner: Vec<Stmt>) -> Expr {
         let span = left.span;
-        let place = self.assigned("holds", left);
+        let place = self.assigned("holds", Expr::bool(op == LogicOp::Or, span));
         self.locals.note_unnamed(place.root);
         let held = place.load();
-        if op == LogicOp::Or || right.kind != ExprKind::Literal(1) {
-            inner.push(Stmt::new(StmtKind::Assign { place, value: right }, span));
-        }
+        inner.push(Stmt::new(StmtKind::Assign { place, value: right }, span));
         let condition = match op {
-            LogicOp::And => held.clone(),
-            LogicOp::Or => held.clone().negated(),
+            LogicOp::And => left,
+            LogicOp::Or => left.negated(),
         };
         self.emit_if(condition, Block(inner), span);
         held

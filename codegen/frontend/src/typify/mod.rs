@@ -80,7 +80,7 @@ mod zero_sized;
 use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, Package, Site};
-use bessemer_ir::{EnumId, FunctionId, Module, Span, StructId, Type};
+use bessemer_ir::{FunctionId, Module, Span, StructId, Type};
 
 use crate::diagnostic::{Diagnostic, OUR_FAULT};
 use crate::source::Sources;
@@ -356,10 +356,7 @@ struct Context<'a> {
     /// Names in snake case, below their module or type, that authors chose.
     authored: HashSet<String>,
     types: Types<'a>,
-    /// Type of names, once there is one.
-    names: Option<EnumId>,
-    /// Pairs of names with one word, by the word, which are not refused yet.
-    clashes: HashMap<u64, [&'a str; 2]>,
+    names: text::Names<'a>,
     calls: Calls<'a>,
     implied: Implied<'a>,
     /// Errors so far.
@@ -381,8 +378,7 @@ impl<'a> Context<'a> {
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
             authored: authored(package),
             types: Types::default(),
-            names: None,
-            clashes: text::clashes(&package.names),
+            names: text::Names::of(package),
             calls: Calls {
                 all: package.functions.iter().map(|it| (it.path.as_str(), it)).collect(),
                 own_iterators: generator::own_iterators(package),

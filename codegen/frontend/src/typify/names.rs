@@ -48,8 +48,7 @@ pub(super) fn result(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type)
         Type::Struct(id) if cx.known(result).shown.is_none() => {
             role(&cx.module.structs[id.index()].name)
         }
-        ty if cx.is_name(ty) => "name".into(),
-        Type::Enum(id) => snake(&cx.module.enums[id.index()].name),
+        Type::Enum(id) if !cx.is_name(result) => snake(&cx.module.enums[id.index()].name),
         _ => "result".into(),
     }
 }
@@ -71,35 +70,6 @@ pub(super) fn constant(module: &str, owner: Option<&str>, path: &str) -> (String
         Some(ty) => (module.to_owned(), format!("{}_{name}", snake(ty).to_uppercase())),
         None => (format!("{root}::{}", segments.join("::")), name),
     }
-}
-
-/// Largest number of bytes of a text's part in the name of its constant.
-const LONGEST: usize = 40;
-
-/// Returns the name of the constant of a text: `OVER_TEMPERATURE`.
-pub(super) fn of_text(text: &str, word: u64) -> String {
-    let words = text.split(|it: char| !it.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
-    let mut name = String::new();
-    for word in words {
-        if !name.is_empty() && name.len() + word.len() > LONGEST {
-            break;
-        }
-        name.push_str(if name.is_empty() { "" } else { "_" });
-        name.push_str(&word.to_ascii_uppercase());
-    }
-    match (text, name.as_str()) {
-        ("", _) => "EMPTY".to_owned(),
-        (_, "") => format!("{word:08X}"),
-        // POSIX has `NAME_MAX` in `limits.h`.
-        (_, "MAX") => format!("MAX_{word:08X}"),
-        _ => name,
-    }
-}
-
-/// Returns a text as a comment shows it: in quotation marks, in ASCII, without an end of the comment.
-pub(super) fn shown(text: &str) -> String {
-    let text: String = text.chars().flat_map(char::escape_default).collect();
-    format!("The name \"{}\", as its CRC-32.", text.replace("*/", "*\\/").replace("/*", "/\\*"))
 }
 
 /// Splits a path into module and name.

@@ -1,126 +1,137 @@
 //! Names, `&str`: values without an order, each the CRC-32 of its text.
 //!
 //! While functions are lowered, names have the type of an enum without variants, so that nothing takes one for a
-//! number: they have no order, no arithmetic and no conversion. Afterwards the type is `u32`, and the enum is gone.
+//! number: they have no order, no arithmetic and no conversion.
 
 use std::collections::HashMap;
 
-use bessemer_ir::tree::Site;
-use bessemer_ir::visit::{Access, VisitMut, walk_expr_mut, walk_place_mut};
-use bessemer_ir::{Const, ConstId, Enum, EnumId, Expr, Given, Int, Place, Scalar, Span, Type};
+use bessemer_ir::tree::{Package, Site, Ty};
+use bessemer_ir::{Const, ConstId, Enum, EnumId, Given, Span, Type};
 
-use super::{Context, Result, names, problem};
+use super::{Context, Result, problem};
+
+/// The names of a package.
+pub(super) struct Names<'a> {
+    /// Type of names, once there is one.
+    ty: Option<EnumId>,
+    /// Pairs of names with one word, by the word, which are not refused yet.
+    clashes: HashMap<u64, [&'a str; 2]>,
+}
+
+impl<'a> Names<'a> {
+    pub(super) fn of(package: &'a Package) -> Self {
+        let pairs = package.names.array_windows();
+        let clashing = pairs.filter(|[(one, _), (other, _)]| one == other);
+        let pair = |[(word, one), (_, other)]: &'a [(u64, String); 2]| {
+            (*word, [one.as_str(), other.as_str()])
+        };
+        Names { ty: None, clashes: clashing.map(pair).collect() }
+    }
+}
 
 impl Context<'_> {
-    /// Returns the type of names. A module with names has the constant of the empty one.
+    /// Returns the type of names.
     pub(super) fn name_type(&mut self) -> Type {
-        if let Some(id) = self.names {
+        if let Some(id) = self.names.ty {
             return Type::Enum(id);
         }
         let enums = &mut self.module.enums;
         let id = EnumId(enums.len() as u32);
         enums.push(Enum {
-            name: "str".into(),
+            name: Ty::NAME.into(),
             module: Const::NAMES.into(),
             docs: Vec::new(),
             variants: Vec::new(),
             given: Given::default(),
             span: Span::default(),
         });
-        self.names = Some(id);
-        self.text("", 0);
+        self.names.ty = Some(id);
         Type::Enum(id)
     }
 
     /// Returns the constant of a name.
     pub(super) fn text(&mut self, text: &str, word: u64) -> ConstId {
         let ty = self.name_type();
-        let id = self.constant(Const::NAMES, &names::of_text(text, word), &ty, &[word]);
-        let constant = &mut self.module.consts[id.index()];
-        (constant.given.hexadecimal, constant.given.public) = (true, true);
-        constant.docs = vec![names::shown(text)];
-        id
+        let consts = &mut self.module.consts;
+        let is_known = |at: &usize| consts[*at].is_name() && consts[*at].words == [word];
+        let known = (0..consts.len()).find(is_known);
+        let index = known.unwrap_or_else(|| {
+            consts.push(Const {
+                name: of_text(text, word),
+                module: Const::NAMES.to_owned(),
+                ty,
+                words: vec![word],
+                docs: vec![shown(text)],
+                given: Given { hexadecimal: true, public: true, ..Given::default() },
+                span: Span::default(),
+            });
+            consts.len() - 1
+        });
+        ConstId(index as u32)
     }
 
     /// Refuses a value with a name that has the word of another, once for each two names. Without such names, words are
     /// words.
     pub(super) fn no_clash(&mut self, words: &[u64], site: Site) -> Result<()> {
-        let Some([one, other]) = words.iter().find_map(|word| self.clashes.remove(word)) else {
+        let Some([one, other]) = words.iter().find_map(|word| self.names.clashes.remove(word))
+        else {
             return Ok(());
         };
         problem(
             site,
-            format!("the names {one:?} and {other:?} have the same CRC-32, by which the C tells names apart"),
+            format!(
+                "the names {one:?} and {other:?} have the same CRC-32, by which the C tells names apart"
+            ),
             "change the text of one of them",
         )
     }
 
     /// Returns true for the type of names.
     pub(super) fn is_name(&self, ty: &Type) -> bool {
-        matches!(ty, Type::Enum(id) if self.names == Some(*id))
+        matches!(ty, Type::Enum(id) if self.names.ty == Some(*id))
     }
 
     /// Adds the constants of names that are only in tables and initial states: callers compare with them, too.
     pub(super) fn all_names(&mut self) {
-        if self.names.is_some() {
+        if self.names.ty.is_some() {
+            self.text("", 0);
             self.package.names.iter().for_each(|(word, text)| _ = self.text(text, *word));
         }
     }
 
     /// Makes the names of the module numbers.
     pub(super) fn names_to_numbers(&mut self) {
-        let Some(names) = self.names else { return };
-        let module = &mut self.module;
-        let mut numbers = Numbers(names);
-        let fields = module.structs.iter_mut().flat_map(|it| &mut it.fields);
-        fields.for_each(|field| numbers.ty(&mut field.ty));
-        module.consts.iter_mut().for_each(|constant| numbers.ty(&mut constant.ty));
-        for function in &mut module.functions {
-            numbers.ty(&mut function.result);
-            function.locals.iter_mut().for_each(|local| numbers.ty(&mut local.ty));
-            if let Some(bessemer_ir::Owner::Enum(id)) = &mut function.owner {
-                numbers.id(id);
-            }
-            numbers.block(&mut function.body);
-        }
-        module.enums.remove(names.index());
-    }
-}
-
-/// Returns the pairs of names that have one word, by the word.
-pub(super) fn clashes(names: &[(u64, String)]) -> HashMap<u64, [&str; 2]> {
-    let pairs = names.array_windows();
-    let clashing = pairs.filter(|[(one, _), (other, _)]| one == other);
-    clashing.map(|[(word, one), (_, other)]| (*word, [one.as_str(), other.as_str()])).collect()
-}
-
-/// Visitor that replaces the type of names, the enum, by that of their words.
-struct Numbers(EnumId);
-
-impl Numbers {
-    fn ty(&self, ty: &mut Type) {
-        match ty {
-            Type::Enum(id) if *id == self.0 => *ty = Type::Scalar(Scalar::Int(Int::U32)),
-            Type::Enum(id) => self.id(id),
-            Type::Array { element, .. } | Type::Slice(element) => self.ty(element),
-            Type::Unit | Type::Scalar(_) | Type::Matrix { .. } | Type::Struct(_) => {}
+        if let Some(names) = self.names.ty {
+            crate::numbered_names::to_numbers(&mut self.module, names);
         }
     }
+}
 
-    /// Closes the gap that the enum leaves.
-    fn id(&self, id: &mut EnumId) {
-        id.0 -= u32::from(*id > self.0);
+/// Largest number of bytes of a text's part in the name of its constant.
+const LONGEST: usize = 40;
+
+/// Returns the name of the constant of a text: `OVER_TEMPERATURE`.
+fn of_text(text: &str, word: u64) -> String {
+    let words = text.split(|it: char| !it.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let mut name = String::new();
+    for word in words {
+        if !name.is_empty() && name.len() + word.len() > LONGEST {
+            break;
+        }
+        name.push_str(if name.is_empty() { "" } else { "_" });
+        name.push_str(&word.to_ascii_uppercase());
+    }
+    match (text, name.as_str()) {
+        ("", _) => "EMPTY".to_owned(),
+        (_, "") => format!("{word:08X}"),
+        // POSIX has `NAME_MAX` in `limits.h`.
+        (_, "MAX") => format!("MAX_{word:08X}"),
+        _ => name,
     }
 }
 
-impl VisitMut for Numbers {
-    fn expr(&mut self, expr: &mut Expr) {
-        self.ty(&mut expr.ty);
-        walk_expr_mut(self, expr);
-    }
-
-    fn place(&mut self, place: &mut Place, _: Access) {
-        self.ty(&mut place.ty);
-        walk_place_mut(self, place);
-    }
+/// Returns a text as a comment shows it: in quotation marks, in ASCII, without an end of the comment.
+fn shown(text: &str) -> String {
+    let text: String = text.chars().flat_map(char::escape_default).collect();
+    format!("The name \"{}\", as its CRC-32.", text.replace("*/", "*\\/").replace("/*", "/\\*"))
 }

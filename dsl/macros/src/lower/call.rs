@@ -11,7 +11,7 @@ use bessemer_tree::{EACH, ExprKind};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
-use super::names::{callee_name, generating, text};
+use super::names::{SELF, callee_name, generating, text};
 use super::pattern::is_constant_name;
 use super::refuse;
 use super::syntax::{is_constructor_name, last_segment};
@@ -86,7 +86,7 @@ impl Lowering {
         if !message {
             arguments.extend(it.args.iter_mut().map(|argument| self.handed(argument)));
         }
-        let own = matches!(&arguments[0].kind, ExprKind::Local(name) if name == "self");
+        let own = matches!(&arguments[0].kind, ExprKind::Local(name) if name == SELF);
         if own && self.method && self.name.as_ref().is_some_and(|name| it.method == name) {
             return self.refused(&it.method, refuse::RECURSION);
         }

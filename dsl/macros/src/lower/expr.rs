@@ -6,7 +6,7 @@ use bessemer_tree::{ExprKind, UnaryOp};
 use quote::ToTokens;
 
 use super::link::is_source;
-use super::names::{UNIT, place, site, text};
+use super::names::{SELF, UNIT, place, site, text};
 use super::operator::Side;
 use super::rewrite::held;
 use super::syntax::{is_of_type, is_variant, last_segment};
@@ -246,7 +246,7 @@ impl Lowering {
                 let known = self.functions.iter().find(|(of, _)| *of == name);
                 known.into_iter().for_each(|(_, path)| self.refusals.requires(path.clone()));
             }
-            if name == "self" {
+            if name == SELF {
                 // In the copy, which is a closure, the receiver is an ordinary parameter.
                 it.path = syn::Path::from(syn::Ident::new(signature::RECEIVER, ident.span()));
             }

@@ -5,7 +5,7 @@
 
 use bessemer_tree::Grouping;
 
-use super::names::text;
+use super::names::{SELF, text};
 use super::rewrite;
 use super::syntax::bare;
 
@@ -117,7 +117,7 @@ pub(super) fn is_iter(expr: &syn::Expr) -> bool {
 
 /// Returns true if an expression is `self`.
 fn is_self(expr: &syn::Expr) -> bool {
-    matches!(expr, syn::Expr::Path(it) if it.path.get_ident().is_some_and(|it| text(it) == "self"))
+    matches!(expr, syn::Expr::Path(it) if it.path.get_ident().is_some_and(|it| text(it) == SELF))
 }
 
 /// Returns true if an iterator yields shared references to elements, from the first on.

@@ -8,6 +8,9 @@ use quote::format_ident;
 use syn::ext::IdentExt;
 use syn::spanned::Spanned;
 
+/// Rust's name of the receiver.
+pub(super) const SELF: &str = "self";
+
 thread_local! {
     static GENERATING: Cell<bool> = const { Cell::new(false) };
 }

@@ -1,6 +1,6 @@
 //! Checks signatures and types as far as syntax shows that they are unsupported.
 
-use bessemer_tree::{NO_SLOT, Param};
+use bessemer_tree::{NO_SLOT, Param, Ty};
 use proc_macro2::Span;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
@@ -250,14 +250,14 @@ impl<'ast> Visit<'ast> for Types<'_> {
 
 /// Returns true for `&str`, a name, which is a value.
 pub(super) fn is_name(it: &syn::TypeReference) -> bool {
-    let is_str = matches!(&*it.elem, syn::Type::Path(path) if path.path.is_ident("str"));
+    let is_str = matches!(&*it.elem, syn::Type::Path(path) if path.path.is_ident(Ty::NAME));
     it.mutability.is_none() && is_str
 }
 
 fn is_unsized(ty: &syn::Type) -> bool {
     match ty {
         syn::Type::Slice(_) | syn::Type::TraitObject(_) => true,
-        syn::Type::Path(it) => it.path.is_ident("str"),
+        syn::Type::Path(it) => it.path.is_ident(Ty::NAME),
         _ => false,
     }
 }

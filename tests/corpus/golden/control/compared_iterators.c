@@ -29,8 +29,8 @@ void compared_iterators_compared(const int16_t a[5], const int16_t b[4],
             break;
         }
     }
-    bool result_holds = order == ORDERING_EQUAL;
-    if (result_holds) {
+    bool result_holds = false;
+    if (order == ORDERING_EQUAL) {
         option_i16_t next = {.is_some = false};
         if (others_taken < 4U) {
             const uint32_t index = others_taken;
@@ -64,10 +64,10 @@ void compared_iterators_compared(const int16_t a[5], const int16_t b[4],
             break;
         }
     }
-    bool result_holds_2 = greater;
-    if (!result_holds_2) {
-        bool result_holds_3 = same;
-        if (result_holds_3) {
+    bool result_holds_2 = true;
+    if (!greater) {
+        bool result_holds_3 = false;
+        if (same) {
             option_i16_t next = {.is_some = false};
             if (others_taken_2 < 4U) {
                 const uint32_t index = others_taken_2;
@@ -94,8 +94,8 @@ void compared_iterators_compared(const int16_t a[5], const int16_t b[4],
             break;
         }
     }
-    bool result_holds_3 = same_2;
-    if (result_holds_3) {
+    bool result_holds_3 = false;
+    if (same_2) {
         option_i16_t next = {.is_some = false};
         if (others_taken_3 < 4U) {
             const uint32_t index = others_taken_3;
@@ -135,10 +135,10 @@ void compared_iterators_floats(const double x[3], const double y[3], uint64_t n,
             break;
         }
     }
-    bool result_holds = less;
-    if (!result_holds) {
-        bool result_holds_2 = same;
-        if (result_holds_2) {
+    bool result_holds = true;
+    if (!less) {
+        bool result_holds_2 = false;
+        if (same) {
             option_f64_t next = {.is_some = false};
             if (others_taken < 3U) {
                 const uint32_t index = others_taken;
@@ -173,8 +173,8 @@ void compared_iterators_floats(const double x[3], const double y[3], uint64_t n,
     }
 
     /* Rust asks for one more of the others. */
-    bool more = same_2;
-    if (more) {
+    bool more = false;
+    if (same_2) {
         option_f64_t next = {.is_some = false};
         if (others_taken_2 < 3U) {
             const uint32_t index = others_taken_2;
@@ -208,8 +208,8 @@ void compared_iterators_floats(const double x[3], const double y[3], uint64_t n,
     }
 
     /* Rust asks for one more of the others. */
-    bool more_2 = same_3;
-    if (more_2) {
+    bool more_2 = false;
+    if (same_3) {
         option_f64_t next = {.is_some = false};
         if (others_taken_3 < 3U) {
             const uint32_t index = others_taken_3;
@@ -241,10 +241,10 @@ void compared_iterators_floats(const double x[3], const double y[3], uint64_t n,
             break;
         }
     }
-    bool result_holds_2 = greater_2;
-    if (!result_holds_2) {
-        bool result_holds_3 = same_4;
-        if (result_holds_3) {
+    bool result_holds_2 = true;
+    if (!greater_2) {
+        bool result_holds_3 = false;
+        if (same_4) {
             option_f64_t next = {.is_some = false};
             if (others_taken_4 < 3U) {
                 const uint32_t index = others_taken_4;

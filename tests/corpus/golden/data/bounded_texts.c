@@ -63,8 +63,8 @@ bessemer_status_t log_channel_is_length(log_channel_t *BESSEMER_RESTRICT self,
         return self->fault;
     }
     const uint8_t elements[1] = {109U};
-    bool result_holds = text_4_is(&self->unit, elements, UINT64_C(1));
-    if (!result_holds) {
+    bool result_holds = true;
+    if (!text_4_is(&self->unit, elements, UINT64_C(1))) {
         const uint8_t elements_2[2] = {99U, 109U};
         text_4_t result_holds_other;
         status = text_4_of(elements_2, UINT64_C(2), &result_holds_other);

@@ -147,8 +147,8 @@ uint16_t chosen_elements_mark(transfers_t *transfers, uint8_t id)
 {
     option_element_mut_transfer_t most = {.is_some = false};
     for (uint32_t i = 0U; i < 6U; i++) {
-        bool value_holds = transfers->all[i].busy;
-        if (value_holds) {
+        bool value_holds = false;
+        if (transfers->all[i].busy) {
             bool value_choice;
             if (most.is_some) {
                 value_choice = transfers->all[i].tries >= transfers->all[most.value.index].tries;

@@ -4,7 +4,7 @@
 
 void display_init(display_t *self)
 {
-    self->shown.name = 0x22298ED7U;
+    self->shown.name = NAME_NOTHING;
     self->shown.value = 0.0;
     self->reason.is_some = false;
     self->reason.value = 0U;
@@ -67,11 +67,11 @@ typedef struct {
 
 /* programs_data_names.c */
 
-static const uint32_t AXES[3] = {0x8CDC1683U, 0xFBDB2615U, 0x62D277AFU};
-static const uint32_t MACHINE = 0xEABB7FCFU;
+static const uint32_t AXES[3] = {NAME_X, NAME_Y, NAME_Z};
+static const uint32_t MACHINE = NAME_HYDRAULIC_PRESS;
 static const signal_t SIGNALS[2] = {
-    {.name = 0x9817B1EDU, .value = 1.0},
-    {.name = 0x365A0BF7U, .value = 2.0}
+    {.name = NAME_PUMP, .value = 1.0},
+    {.name = NAME_VALVE, .value = 2.0}
 };
 
 void signal_new(uint32_t name, signal_t *signal)

@@ -494,8 +494,8 @@ bessemer_status_t values_that_borrow_answer(const uint8_t packet[4],
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    bool well_holds = well;
-    if (well_holds) {
+    bool well_holds = false;
+    if (well) {
         const uint32_t well_end = (uint32_t)min_u64((uint64_t)count, UINT64_C(4));
         status = writer_put(&writer, room, UINT64_C(6), packet, well_end, &well_holds);
         if (status != BESSEMER_STATUS_OK) {
@@ -503,8 +503,8 @@ bessemer_status_t values_that_borrow_answer(const uint8_t packet[4],
         }
     }
     well = well_holds;
-    bool well_holds_2 = well;
-    if (well_holds_2) {
+    bool well_holds_2 = false;
+    if (well) {
         const uint8_t elements_2[1] = {packet[3]};
         status = writer_put(&writer, room, UINT64_C(6), elements_2, UINT64_C(1), &well_holds_2);
         if (status != BESSEMER_STATUS_OK) {

@@ -61,10 +61,7 @@ bool periods_later(periods_t *self, int16_t by)
 
 bool not_zero_same(const non_zero_u32_t *one, const non_zero_u32_t *other)
 {
-    bool result_holds = one->value == other->value;
-    if (result_holds) {
-        result_holds = one->value != NON_ZERO_U32_MIN.value;
-    }
+    const bool result_holds = one->value == other->value && one->value != NON_ZERO_U32_MIN.value;
     return result_holds;
 }
 

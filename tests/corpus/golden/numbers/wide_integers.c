@@ -118,16 +118,14 @@ void wide_integers_masked(const u128_t *a, const u128_t *b, u128_t *BESSEMER_RES
 
 uint32_t wide_integers_class(const u128_t *a, const u128_t *b)
 {
-    bool result_holds = a->high == b->high && a->low == b->low;
-    if (!result_holds) {
-        result_holds = a->high == U128_MAX.high && a->low == U128_MAX.low;
-    }
+    const bool result_holds = (a->high == b->high && a->low == b->low)
+        || (a->high == U128_MAX.high && a->low == U128_MAX.low);
     if (result_holds) {
         return 0U;
     } else {
         const u128_t u128 = {.high = UINT64_C(54), .low = UINT64_C(0x35C9ADC5DEA00000)};
-        bool result_holds_2 = a->high < u128.high || (a->high == u128.high && a->low < u128.low);
-        if (result_holds_2) {
+        bool result_holds_2 = false;
+        if (a->high < u128.high || (a->high == u128.high && a->low < u128.low)) {
             u128_t u128_2;
             comparison_lesser_u128(a, b, &u128_2);
             const u128_t u128_3 = {.high = UINT64_C(0), .low = UINT64_C(0)};
