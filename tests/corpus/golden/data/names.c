@@ -38,7 +38,7 @@ bessemer_status_t display_show(display_t *BESSEMER_RESTRICT self, programs_data_
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t display_reason(const display_t *self, uint32_t *BESSEMER_RESTRICT name)
+bessemer_status_t display_reason(const display_t *self, uint32_t *BESSEMER_RESTRICT result)
 {
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;
@@ -47,7 +47,7 @@ bessemer_status_t display_reason(const display_t *self, uint32_t *BESSEMER_RESTR
     if (self->reason.is_some) {
         result_choice = self->reason.value;
     }
-    *name = result_choice;
+    *result = result_choice;
     return BESSEMER_STATUS_OK;
 }
 
