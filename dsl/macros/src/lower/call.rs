@@ -81,7 +81,7 @@ impl Lowering {
     pub(super) fn method_call(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
         let mut arguments = vec![self.value(&mut it.receiver)];
         // What a panic would say stays in the Rust.
-        let message = matches!(text(&it.method).as_str(), "expect" | "expect_err")
+        let message = text(&it.method).trim_end_matches("_err") == "expect"
             && matches!(it.args.first(), Some(syn::Expr::Lit(it)) if matches!(it.lit, syn::Lit::Str(_)));
         if !message {
             arguments.extend(it.args.iter_mut().map(|argument| self.handed(argument)));
@@ -100,7 +100,7 @@ impl Lowering {
         let Some(name) = self.name.as_deref() else { return false };
         match self.method {
             true => names == ["Self", name],
-            false => names == [name] || names == ["self", name],
+            false => names == [name] || names == [SELF, name],
         }
     }
 

@@ -6,7 +6,7 @@ use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
-use super::names::{site, text};
+use super::names::{SELF, site, text};
 use super::refuse::Refusals;
 use super::{pattern, refuse};
 use crate::closures;
@@ -58,7 +58,7 @@ fn parameter(
             let (site, mutable) = (site(&it.self_token), mutability.is_some());
             let (slot, closure, items) = (NO_SLOT, false, false);
             Some(Parameter {
-                param: Param { name: "self".into(), slot, site, closure, items, mutable },
+                param: Param { name: SELF.into(), slot, site, closure, items, mutable },
                 pattern: quote! { #mutability #receiver },
                 ident: receiver,
                 ty,
