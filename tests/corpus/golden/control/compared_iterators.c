@@ -64,9 +64,9 @@ void compared_iterators_compared(const int16_t a[5], const int16_t b[4],
             break;
         }
     }
-    bool result_holds_2 = true;
+    bool second = true;
     if (!greater) {
-        bool result_holds_3 = false;
+        bool result_holds_2 = false;
         if (same) {
             option_i16_t next = {.is_some = false};
             if (others_taken_2 < 4U) {
@@ -75,9 +75,9 @@ void compared_iterators_compared(const int16_t a[5], const int16_t b[4],
                 next.is_some = true;
                 next.value = b[index];
             }
-            result_holds_3 = !next.is_some;
+            result_holds_2 = !next.is_some;
         }
-        result_holds_2 = result_holds_3;
+        second = result_holds_2;
     }
     uint32_t others_taken_3 = 0U;
     bool same_2 = true;
@@ -94,7 +94,7 @@ void compared_iterators_compared(const int16_t a[5], const int16_t b[4],
             break;
         }
     }
-    bool result_holds_3 = false;
+    bool third = false;
     if (same_2) {
         option_i16_t next = {.is_some = false};
         if (others_taken_3 < 4U) {
@@ -103,11 +103,11 @@ void compared_iterators_compared(const int16_t a[5], const int16_t b[4],
             next.is_some = true;
             next.value = b[index];
         }
-        result_holds_3 = !next.is_some;
+        third = !next.is_some;
     }
     result->first = order;
-    result->second = result_holds_2;
-    result->third = result_holds_3;
+    result->second = second;
+    result->third = third;
 }
 
 void compared_iterators_floats(const double x[3], const double y[3], uint64_t n,

@@ -63,18 +63,18 @@ bessemer_status_t log_channel_is_length(log_channel_t *BESSEMER_RESTRICT self,
         return self->fault;
     }
     const uint8_t elements[1] = {109U};
-    bool result_holds = true;
+    bool result_value = true;
     if (!text_4_is(&self->unit, elements, UINT64_C(1))) {
         const uint8_t elements_2[2] = {99U, 109U};
-        text_4_t result_holds_other;
-        status = text_4_of(elements_2, UINT64_C(2), &result_holds_other);
+        text_4_t result_other;
+        status = text_4_of(elements_2, UINT64_C(2), &result_other);
         if (status != BESSEMER_STATUS_OK) {
             self->fault = status;
             return status;
         }
-        result_holds = text_4_equal(&self->unit, &result_holds_other);
+        result_value = text_4_equal(&self->unit, &result_other);
     }
-    *result = result_holds;
+    *result = result_value;
     return BESSEMER_STATUS_OK;
 }
 

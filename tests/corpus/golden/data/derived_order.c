@@ -8,12 +8,12 @@ static void derived_order_sort_by_in_sorted(derived_order_key_t values[], uint64
 
 bool derived_order_is_low(const height_t *height, const height_t *limit)
 {
-    bool result_holds = true;
+    bool result = true;
     if (!(height->value < limit->value)) {
         const height_t height_2 = {.value = 0.0};
-        result_holds = !(limit->value >= height_2.value);
+        result = !(limit->value >= height_2.value);
     }
-    return result_holds;
+    return result;
 }
 
 void derived_order_lowest(const height_t heights[3], height_t *BESSEMER_RESTRICT least)

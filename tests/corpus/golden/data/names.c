@@ -43,11 +43,11 @@ bessemer_status_t display_reason(const display_t *self, uint32_t *BESSEMER_RESTR
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;
     }
-    uint32_t result_choice = NAME_EMPTY;
+    uint32_t result_value = NAME_EMPTY;
     if (self->reason.is_some) {
-        result_choice = self->reason.value;
+        result_value = self->reason.value;
     }
-    *result = result_choice;
+    *result = result_value;
     return BESSEMER_STATUS_OK;
 }
 

@@ -33,16 +33,16 @@ bessemer_status_t slice_edits_is_sentence(const uint8_t text[12], bool *BESSEMER
 {
     bessemer_status_t status;
     const uint8_t elements[3] = {36U, 71U, 80U};
-    bool result_holds = false;
+    bool result_value = false;
     if (slice_edit_starts_with_u8(text, UINT64_C(12), elements, UINT64_C(3))) {
         const uint8_t elements_2[2] = {13U, 10U};
         status = slice_edit_ends_with_u8(text, UINT64_C(12), elements_2, UINT64_C(2),
-            &result_holds);
+            &result_value);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
     }
-    *result = result_holds;
+    *result = result_value;
     return BESSEMER_STATUS_OK;
 }
 

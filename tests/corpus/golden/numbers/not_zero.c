@@ -61,8 +61,8 @@ bool periods_later(periods_t *self, int16_t by)
 
 bool not_zero_same(const non_zero_u32_t *one, const non_zero_u32_t *other)
 {
-    const bool result_holds = one->value == other->value && one->value != NON_ZERO_U32_MIN.value;
-    return result_holds;
+    const bool result = one->value == other->value && one->value != NON_ZERO_U32_MIN.value;
+    return result;
 }
 
 /* not_zero.h */
