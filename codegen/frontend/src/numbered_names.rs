@@ -23,7 +23,7 @@ pub(crate) fn to_numbers(module: &mut Module, names: EnumId) {
     module.enums.remove(names.index());
 }
 
-/// Visitor that replaces the type of names, the enum, by that of their words.
+/// Visitor that replaces the type of names, the enum, by `u32`.
 struct Numbers(EnumId);
 
 impl Numbers {

@@ -324,8 +324,8 @@ pub enum ExprKind {
     Bytes(Vec<u8>),
     /// A local by its name.
     Local(String),
-    /// A path that is no local: index into [`Function::constants`], and the path as the author wrote it. That of a
-    /// name, `"pump"`, is the text after a quotation mark.
+    /// A path that is no local: index into [`Function::constants`], and the path as the author wrote it. For a
+    /// name, `"pump"`, it is the text after a quotation mark.
     Path(u32, String),
     /// `-x`, `!x`.
     Unary(UnaryOp, Box<Expr>),

@@ -111,8 +111,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Lowers a logic operation whose right side needs statements, with a temporary for its result: the `if` tests the
-    /// left side itself, of which the passes then know that it holds.
+    /// Lowers a logic operation whose right side needs statements, with a temporary for its result. The `if` tests the
+    /// left side itself, so that the passes know that it holds.
     fn right_behind(&mut self, op: LogicOp, left: Expr, right: Expr, mut inner: Vec<Stmt>) -> Expr {
         let span = left.span;
         let place = self.assigned("holds", Expr::bool(op == LogicOp::Or, span));

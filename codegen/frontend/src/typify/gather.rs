@@ -35,7 +35,7 @@ impl Lowering<'_, '_> {
             }
             Desugared::ArrayMap => mapped(first, rest.first()?, expr),
             Desugared::FromFn => from_fn(first, expr),
-            // What is lent stands where it stands.
+            // A reference stays in its place.
             Desugared::AsRef | Desugared::ByRef => Some(first.clone()),
         }
     }

@@ -183,7 +183,7 @@ impl Context<'_> {
             .and_then(|ty| held(&mut fields, words::ERROR, "Reason why there is no value.", ty));
         let form = Form::Choice(vec![error, value]);
         let id = self.own_struct(format!("{kind}{name}"), shown, fields, form, site)?;
-        // Values may be unequal though nothing tells them apart.
+        // A value may differ from itself, as NaN does.
         let unequal = self.may_differ(of) || or.is_some_and(|or| self.may_differ(or));
         let case = |name: &str, field, single| Case { name: name.into(), field, single };
         let known = self.note(&Type::Struct(id));

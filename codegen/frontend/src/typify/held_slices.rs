@@ -151,7 +151,7 @@ impl Lowering<'_, '_> {
         match known.map(|(_, base)| effects::same_place(base, &slice.base)) {
             None => self.lenders.made.push((value.clone(), slice.base)),
             Some(true) => {}
-            // Two that look alike are told apart by their names.
+            // Two of one shape differ by their names.
             Some(false) => {
                 let place = self.assigned(UNNAMED, value);
                 let spot = spot_of(&place);

@@ -165,7 +165,7 @@ impl Lowering<'_, '_> {
     pub(super) fn type_of(&self, root: LocalId, steps: &[Step]) -> Type {
         let root = self.locals[root.index()].ty.clone();
         steps.iter().fold(root, |ty, step| match step {
-            // A part is lent as the whole is.
+            // A part has the lenders of the whole.
             Step::From(_) => ty,
             _ => self.cx.module.step_type(&ty, step).unwrap_or(ty),
         })

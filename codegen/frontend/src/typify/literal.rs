@@ -227,7 +227,6 @@ impl<'a> Lowering<'a, '_> {
         let owner = source.owner.as_ref().map(|path| self.cx.item_name(path).to_owned());
         let (module, name) = names::constant(&self.module_path(), owner.as_deref(), &name);
         let id = self.cx.constant(&module, &name, &ty, &words);
-        self.cx.module.consts[id.index()].given.hexadecimal |= constant.ty.is_name();
         self.node(ExprKind::Const(id), ty, site)
     }
 }

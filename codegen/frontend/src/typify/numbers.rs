@@ -221,7 +221,7 @@ impl Lowering<'_, '_> {
         let Call { arguments, expr } = call;
         let (ty, span) = (self.slot_of(expr)?, self.span(expr.site));
         let byte = of(Int::U8);
-        // Of so many bytes the one at an index, shifted from or to its place.
+        // The byte at an index, shifted from or to its place.
         let shifted = |op, value: Expr, len: u32, index: u32| {
             let places = if order == ByteOrder::Big { len - 1 - index } else { index };
             match places {

@@ -20,7 +20,7 @@ impl Lowering<'_, '_> {
             M::Copied => self.value(&arguments[0], None),
             M::Take | M::Replace => self.exchanged(arguments, expr),
             M::UnwrapOr | M::Or | M::And | M::OkOr | M::Ok | M::Err => self.chosen(method, call),
-            // A place is lent: each use of one that takes it has looked before.
+            // A place stays where it is: each use that takes it has tested it before.
             M::AsMut | M::Insert | M::GetOrInsert | M::GetOrInsertWith => {
                 refused(expr.site, refusals::LENT_BY_OPTION)
             }

@@ -82,7 +82,7 @@ impl Walk<'_> {
                 continue;
             }
             if let (Form::Sequence, Type::Array { element, .. }) = (&item.form, &field.ty) {
-                // Behind the elements that there are stands what nobody reads.
+                // Nobody reads what follows the elements.
                 let held = module.width(element).saturating_mul(first as usize);
                 own = &own[..held.min(own.len())];
             }

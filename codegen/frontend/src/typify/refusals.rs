@@ -46,7 +46,7 @@ reasons! {
     ORDER_AND_EQUALITY: "a derived `PartialOrd` may contradict an own `PartialEq`", "derive `PartialEq` too, or compare parts";
     OPERAND_TYPES: "no operator is defined for these operand types", "use a method";
     PART_OF_A_NAME: "the C has a number for each name, and no bytes", "compare whole names by `==` or `match`; write `Text<N>` for a text with bytes";
-    ORDER_OF_NAMES: "the C has a number for each name, whose order is not that of the texts", "compare names by `==`; give each a number beside it, by which to sort";
+    ORDER_OF_NAMES: "the C has a number for each name, and numbers are not in the order of the texts", "compare names by `==`; give each a number beside it, by which to sort";
     CAST: "`as` converts numbers, `bool`, `char` and plain enums only", "convert the parts";
     VARIANT_BRACES: "a variant without fields takes no braces", "remove `{}`";
     TRY_FOLD: "the closure of `try_fold` must return an `Option` or a `Result`", "return `Some(…)` or `Ok(…)` from it";

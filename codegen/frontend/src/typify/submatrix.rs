@@ -76,7 +76,7 @@ impl<'a> Lowering<'a, '_> {
             None => Ok(Expr::usize(0, span)),
         };
         let (row, column) = (begins(words::ROW, row)?, begins(words::COLUMN, column)?);
-        // As nalgebra has it: the end of the view is that of the matrix at most.
+        // As in nalgebra, the view ends in the matrix.
         for (first, count, most) in [(&row, rows, outer.rows), (&column, cols, outer.cols)] {
             let end = plus(first.clone(), size(count, span));
             self.check_index(&end, CompareOp::Le, &size(most, span), span);

@@ -80,7 +80,7 @@ impl Context<'_> {
         problem(
             site,
             format!(
-                "the names {one:?} and {other:?} have the same CRC-32, by which the C tells names apart"
+                "the names {one:?} and {other:?} have the same CRC-32, which is all that the C has of a name"
             ),
             "change the text of one of them",
         )

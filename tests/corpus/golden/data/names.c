@@ -55,7 +55,7 @@ bessemer_status_t display_reason(const display_t *self, uint32_t *BESSEMER_RESTR
 
 /** The state of a display. */
 typedef struct {
-    /** What is shown. */
+    /** Signal on the display. */
     signal_t shown;
     /** Reason of the last fault. */
     option_str_t reason;
@@ -189,7 +189,7 @@ typedef struct {
     signal_t value;
 } option_names_signal_t;
 
-/** What the machine does. */
+/** Activity of the machine. */
 typedef enum {
     /** Nothing. */
     PROGRAMS_DATA_NAMES_MODE_IDLE = 0,

@@ -30,7 +30,7 @@ impl Signal {
 const SIGNALS: [Signal; 2] =
     [Signal { name: "pump", value: 1.0 }, Signal { name: "valve", value: 2.0 }];
 
-/// What the machine does.
+/// Activity of the machine.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
@@ -67,7 +67,7 @@ impl Mode {
 #[component]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Display {
-    /// What is shown.
+    /// Signal on the display.
     pub shown: Signal,
     /// Reason of the last fault.
     pub reason: Option<&'static str>,
