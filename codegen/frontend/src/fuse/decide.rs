@@ -472,7 +472,10 @@ impl<'f> Backwards<'f> {
         let place = match &value.kind {
             ExprKind::Literal(_) | ExprKind::Const(_) => return !self.known.parts[local.index()],
             ExprKind::Load(place) => place,
-            _ => return false,
+            _ => match as_size(value) {
+                Some(place) => place,
+                None => return false,
+            },
         };
         // An aggregate in an array is read in its place.
         let indices: Option<Vec<LocalId>> = match is_plain(place) {
@@ -536,6 +539,14 @@ fn may_replace(value: &Expr, allowed: Allowed) -> bool {
         Allowed::Arithmetic => !value.any_expr(calls),
         Allowed::Names => false,
     }
+}
+
+/// Returns the local that a value converts to `usize`, without another effect: an index of C needs no conversion.
+fn as_size(value: &Expr) -> Option<&Place> {
+    let ExprKind::Cast(inner) = &value.kind else { return None };
+    let ExprKind::Load(place) = &inner.kind else { return None };
+    let unsigned = inner.ty.as_int().is_some_and(|int| !int.signed());
+    (value.ty == Type::USIZE && unsigned && place.steps.is_empty()).then_some(place)
 }
 
 /// Returns true if a place has only fields as steps.

@@ -74,9 +74,9 @@ impl VisitMut for Put<'_> {
             && let Some(known) = value
         {
             // A name is read often; a computed value is read once.
-            *expr = match &known.kind {
-                ExprKind::Literal(_) | ExprKind::Const(_) | ExprKind::Load(_) => known.clone(),
-                _ => value.take().unwrap_or_else(|| expr.clone()),
+            *expr = match is_name(known) {
+                true => known.clone(),
+                false => value.take().unwrap_or_else(|| expr.clone()),
             };
             return;
         }
@@ -89,6 +89,15 @@ impl VisitMut for Put<'_> {
             place.root = of.root;
             place.steps.splice(0..0, of.steps.iter().cloned());
         }
+    }
+}
+
+/// Returns true for a literal, a constant, a place, and a conversion of these.
+fn is_name(value: &Expr) -> bool {
+    match &value.kind {
+        ExprKind::Literal(_) | ExprKind::Const(_) | ExprKind::Load(_) => true,
+        ExprKind::Cast(inner) => is_name(inner),
+        _ => false,
     }
 }
 

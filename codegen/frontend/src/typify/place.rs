@@ -1,7 +1,7 @@
 //! Places, and names of references, which are aliases of places.
 
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{Expr, ExprKind, Place, Span, Step, Type};
+use bessemer_ir::{Argument, Expr, ExprKind, Local, Module, Place, Span, Step, Type};
 
 use super::expr::{Operand, two};
 use super::lowering::{Lowering, RESULT, UNNAMED};
@@ -126,7 +126,14 @@ impl Lowering<'_, '_> {
         let choice = known.shown.is_some()
             && !known.cases.is_empty()
             && ![UNNAMED, RESULT].contains(&self.naming.as_str());
-        let naming = if choice { self.naming.clone() } else { String::new() };
+        let naming = match known.shown.is_some() && !borrowed {
+            _ if choice => self.naming.clone(),
+            // The argument tells a second one of the name from the first.
+            true if self.locals.iter().any(|local| local.name == role) => {
+                argument(&self.cx.module, &self.locals, &value).unwrap_or_default()
+            }
+            _ => String::new(),
+        };
         self.naming_as(naming, |inner| inner.atom_place(&role, value))
     }
 
@@ -386,4 +393,26 @@ fn lends(expr: &tree::Expr) -> bool {
 /// Returns true if a reference is stored in a field or an element of a value.
 fn is_held(expr: &tree::Expr) -> bool {
     matches!(expr.kind, tree::ExprKind::Field(..) | tree::ExprKind::Index(..))
+}
+
+/// Returns the name of the first argument of a call, which tells its result from others of the same type.
+fn argument(module: &Module, locals: &[Local], value: &Expr) -> Option<String> {
+    let ExprKind::Call(_, arguments) = &value.kind else { return None };
+    let place = match arguments.first()? {
+        Argument::Value(Expr { kind: ExprKind::Load(place), .. })
+        | Argument::Ref(Expr { kind: ExprKind::Load(place), .. })
+        | Argument::RefMut(place) => place,
+        Argument::Value(_) | Argument::Ref(_) => return None,
+    };
+    let local = &locals[place.root.index()];
+    let (mut ty, mut name) = (local.ty.clone(), &local.name);
+    for step in &place.steps {
+        if let (Type::Struct(id), Step::Field(field)) = (&ty, step) {
+            name = &module.structs[id.index()].fields[*field as usize].name;
+        }
+        ty = module.step_type(&ty, step)?;
+    }
+    // Several elements of one array have its name.
+    let whole = place.steps.iter().all(|step| matches!(step, Step::Field(_)));
+    (whole && name != "self").then(|| name.clone())
 }

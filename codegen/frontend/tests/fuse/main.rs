@@ -141,6 +141,18 @@ fn a_name_goes_where_it_is_read_as_often_as_one_likes() {
             "let t: u8 = n; for i: u8 in 0u8..2u8 {{ let t1: u8 = t; {reads} n = i; }} return m;"
         ));
     }
+    // A conversion to `usize` is a name of what it converts, even of a name of a literal or a field.
+    let index = "let t1: usize = t0 as usize; m = a[t1]; return a[t1];";
+    assert_eq!(of(&format!("let t0: u8 = n; {index}")), "m = a[n as usize]; return a[n as usize];");
+    assert_eq!(
+        of(&format!("let t0: u8 = 3u8; {index}")),
+        "m = a[3u8 as usize]; return a[3u8 as usize];"
+    );
+    assert_eq!(
+        of("let t: usize = n as usize; m = a[t]; n = 0u8; return a[t];").find("let t"),
+        Some(0)
+    );
+    assert_eq!(of("let t: i8 = n as i8; m = t as u8; return t as u8;").find("let t"), Some(0));
     // What a branch computes may have to be computed before it.
     stays("let t: u8 = n & 1u8; if m == 0u8 { return t; } return 0u8;");
     assert_eq!(

@@ -12,13 +12,13 @@ void frames_ecef_from_geodetic_f64(const geodetic_f64_t *position,
 {
     pair_f64_f64_t pair;
     sine_sin_cos(position->latitude, &pair);
-    pair_f64_f64_t pair_2;
-    sine_sin_cos(position->longitude, &pair_2);
+    pair_f64_f64_t longitude_pair;
+    sine_sin_cos(position->longitude, &longitude_pair);
     const double eccentricity = ECCENTRICITY_SQUARED;
     const double normal = SEMI_MAJOR_AXIS / sqrt(1.0 - eccentricity * pair.first * pair.first);
     const double across = (normal + position->height) * pair.second;
-    result[0] = across * pair_2.second;
-    result[1] = across * pair_2.first;
+    result[0] = across * longitude_pair.second;
+    result[1] = across * longitude_pair.first;
     result[2] = (normal * (1.0 - eccentricity) + position->height) * pair.first;
 }
 
@@ -61,14 +61,14 @@ void frames_enu_rotation_f32(const geodetic_f32_t *origin, float result[BESSEMER
 {
     pair_f32_f32_t pair;
     math_single_sin_cosf(origin->latitude, &pair);
-    pair_f32_f32_t pair_2;
-    math_single_sin_cosf(origin->longitude, &pair_2);
-    result[0 + 3 * 0] = -pair_2.first;
-    result[1 + 3 * 0] = -pair.first * pair_2.second;
-    result[2 + 3 * 0] = pair.second * pair_2.second;
-    result[0 + 3 * 1] = pair_2.second;
-    result[1 + 3 * 1] = -pair.first * pair_2.first;
-    result[2 + 3 * 1] = pair.second * pair_2.first;
+    pair_f32_f32_t longitude_pair;
+    math_single_sin_cosf(origin->longitude, &longitude_pair);
+    result[0 + 3 * 0] = -longitude_pair.first;
+    result[1 + 3 * 0] = -pair.first * longitude_pair.second;
+    result[2 + 3 * 0] = pair.second * longitude_pair.second;
+    result[0 + 3 * 1] = longitude_pair.second;
+    result[1 + 3 * 1] = -pair.first * longitude_pair.first;
+    result[2 + 3 * 1] = pair.second * longitude_pair.first;
     result[0 + 3 * 2] = 0.0F;
     result[1 + 3 * 2] = pair.second;
     result[2 + 3 * 2] = pair.first;
@@ -78,14 +78,14 @@ void frames_enu_rotation_f64(const geodetic_f64_t *origin, double result[BESSEME
 {
     pair_f64_f64_t pair;
     sine_sin_cos(origin->latitude, &pair);
-    pair_f64_f64_t pair_2;
-    sine_sin_cos(origin->longitude, &pair_2);
-    result[0 + 3 * 0] = -pair_2.first;
-    result[1 + 3 * 0] = -pair.first * pair_2.second;
-    result[2 + 3 * 0] = pair.second * pair_2.second;
-    result[0 + 3 * 1] = pair_2.second;
-    result[1 + 3 * 1] = -pair.first * pair_2.first;
-    result[2 + 3 * 1] = pair.second * pair_2.first;
+    pair_f64_f64_t longitude_pair;
+    sine_sin_cos(origin->longitude, &longitude_pair);
+    result[0 + 3 * 0] = -longitude_pair.first;
+    result[1 + 3 * 0] = -pair.first * longitude_pair.second;
+    result[2 + 3 * 0] = pair.second * longitude_pair.second;
+    result[0 + 3 * 1] = longitude_pair.second;
+    result[1 + 3 * 1] = -pair.first * longitude_pair.first;
+    result[2 + 3 * 1] = pair.second * longitude_pair.first;
     result[0 + 3 * 2] = 0.0;
     result[1 + 3 * 2] = pair.second;
     result[2 + 3 * 2] = pair.first;

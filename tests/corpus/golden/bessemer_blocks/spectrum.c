@@ -13,16 +13,12 @@ void spectrum_fft_f32_16_8(float re[BESSEMER_RESTRICT 16], float im[BESSEMER_RES
         const uint32_t mirrored = (whole_reverse_bits_u32(k) >> (32U - SPECTRUM_STAGES_COUNT))
             & (16U - 1U);
         if (mirrored > k) {
-            const uint64_t one = (uint64_t)k;
-            const uint64_t other = (uint64_t)mirrored;
-            const float before = re[one];
-            re[one] = re[other];
-            re[other] = before;
-            const uint64_t one_2 = (uint64_t)k;
-            const uint64_t other_2 = (uint64_t)mirrored;
-            const float before_2 = im[one_2];
-            im[one_2] = im[other_2];
-            im[other_2] = before_2;
+            const float before = re[k];
+            re[k] = re[mirrored];
+            re[mirrored] = before;
+            const float before_2 = im[k];
+            im[k] = im[mirrored];
+            im[mirrored] = before_2;
         }
     }
     for (uint32_t stage = 0U; stage < SPECTRUM_STAGES_COUNT; stage++) {
@@ -34,11 +30,8 @@ void spectrum_fft_f32_16_8(float re[BESSEMER_RESTRICT 16], float im[BESSEMER_RES
             const uint32_t root = (k << (SPECTRUM_STAGES_COUNT - 1U - stage)) & (8U - 1U);
             const uint64_t low_2 = (uint64_t)low;
             const uint64_t high_2 = (uint64_t)high;
-            const uint64_t value_index = (uint64_t)root;
-            const float turned_re = re[high_2] * roots[value_index][0]
-                + im[high_2] * roots[value_index][1];
-            const float turned_im = im[high_2] * roots[value_index][0]
-                - re[high_2] * roots[value_index][1];
+            const float turned_re = re[high_2] * roots[root][0] + im[high_2] * roots[root][1];
+            const float turned_im = im[high_2] * roots[root][0] - re[high_2] * roots[root][1];
             re[high_2] = re[low_2] - turned_re;
             im[high_2] = im[low_2] - turned_im;
             re[low_2] += turned_re;
@@ -54,16 +47,12 @@ void spectrum_fft_f64_8_4(double re[BESSEMER_RESTRICT 8], double im[BESSEMER_RES
         const uint32_t mirrored = (whole_reverse_bits_u32(k) >> (32U - SPECTRUM_STAGES_COUNT_2))
             & (8U - 1U);
         if (mirrored > k) {
-            const uint64_t one = (uint64_t)k;
-            const uint64_t other = (uint64_t)mirrored;
-            const double before = re[one];
-            re[one] = re[other];
-            re[other] = before;
-            const uint64_t one_2 = (uint64_t)k;
-            const uint64_t other_2 = (uint64_t)mirrored;
-            const double before_2 = im[one_2];
-            im[one_2] = im[other_2];
-            im[other_2] = before_2;
+            const double before = re[k];
+            re[k] = re[mirrored];
+            re[mirrored] = before;
+            const double before_2 = im[k];
+            im[k] = im[mirrored];
+            im[mirrored] = before_2;
         }
     }
     for (uint32_t stage = 0U; stage < SPECTRUM_STAGES_COUNT_2; stage++) {
@@ -75,11 +64,8 @@ void spectrum_fft_f64_8_4(double re[BESSEMER_RESTRICT 8], double im[BESSEMER_RES
             const uint32_t root = (k << (SPECTRUM_STAGES_COUNT_2 - 1U - stage)) & (4U - 1U);
             const uint64_t low_2 = (uint64_t)low;
             const uint64_t high_2 = (uint64_t)high;
-            const uint64_t value_index = (uint64_t)root;
-            const double turned_re = re[high_2] * roots[value_index][0]
-                + im[high_2] * roots[value_index][1];
-            const double turned_im = im[high_2] * roots[value_index][0]
-                - re[high_2] * roots[value_index][1];
+            const double turned_re = re[high_2] * roots[root][0] + im[high_2] * roots[root][1];
+            const double turned_im = im[high_2] * roots[root][0] - re[high_2] * roots[root][1];
             re[high_2] = re[low_2] - turned_re;
             im[high_2] = im[low_2] - turned_im;
             re[low_2] += turned_re;

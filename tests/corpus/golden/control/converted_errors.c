@@ -86,18 +86,18 @@ void converted_errors_total(const uint8_t one[3], const uint8_t other[3], float 
         result->error = result_error;
         return;
     }
-    result_f32_drive_fault_t outcome_2;
-    converted_errors_current(other, limit, &outcome_2);
-    if (!outcome_2.is_ok) {
+    result_f32_drive_fault_t other_outcome;
+    converted_errors_current(other, limit, &other_outcome);
+    if (!other_outcome.is_ok) {
         fault_code_t result_error;
-        fault_code_from_drive_fault(&outcome_2.error, &result_error);
+        fault_code_from_drive_fault(&other_outcome.error, &result_error);
         result->is_ok = false;
         result->value = 0.0F;
         result->error = result_error;
         return;
     }
     result->is_ok = true;
-    result->value = outcome.value + outcome_2.value;
+    result->value = outcome.value + other_outcome.value;
     result->error.value = 0U;
 }
 

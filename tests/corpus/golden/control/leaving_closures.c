@@ -27,14 +27,14 @@ double leaving_closures_roots(double x, double y)
         result_choice.is_some = false;
         result_choice.value = 0.0;
     } else {
-        option_f64_t option_2;
-        leaving_closures_root(y, &option_2);
-        if (!option_2.is_some) {
+        option_f64_t y_option;
+        leaving_closures_root(y, &y_option);
+        if (!y_option.is_some) {
             result_choice.is_some = false;
             result_choice.value = 0.0;
         } else {
             result_choice.is_some = true;
-            result_choice.value = option.value + option_2.value;
+            result_choice.value = option.value + y_option.value;
         }
     }
     double result = -1.0;

@@ -323,15 +323,15 @@ bessemer_status_t chosen_elements_framed(chosen_elements_frame_t *BESSEMER_RESTR
         result->error = outcome.error;
         return BESSEMER_STATUS_OK;
     }
-    result_element_mut_chosen_elements_frame_u8_t outcome_2;
-    status = chosen_elements_frame_put_word(frame, argument, &outcome_2);
+    result_element_mut_chosen_elements_frame_u8_t frame_outcome;
+    status = chosen_elements_frame_put_word(frame, argument, &frame_outcome);
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    if (!outcome_2.is_ok) {
+    if (!frame_outcome.is_ok) {
         result->is_ok = false;
         result->value = 0U;
-        result->error = outcome_2.error;
+        result->error = frame_outcome.error;
         return BESSEMER_STATUS_OK;
     }
     frame->bytes[0] = (uint8_t)(frame->bytes[0] | 0x80U);

@@ -209,19 +209,20 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
             return BESSEMER_STATUS_OK;
         }
         const uint32_t count = (uint32_t)count_option.value;
-        option_slice_u8_t option;
-        status = values_that_borrow_reader_take(&reader, packet, packet_length, count, &option);
+        option_slice_u8_t reader_option;
+        status = values_that_borrow_reader_take(&reader, packet, packet_length, count,
+            &reader_option);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
-        if (!option.is_some) {
+        if (!reader_option.is_some) {
             *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
         result_choice.is_ok = true;
         result_choice.value.tag = VALUES_THAT_BORROW_PACKET_TAG_LOAD;
         result_choice.value.as.load.address = address;
-        result_choice.value.as.load.bytes = option.value;
+        result_choice.value.as.load.bytes = reader_option.value;
         result_choice.error = 0U;
         break;
     }

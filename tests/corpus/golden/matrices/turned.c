@@ -51,17 +51,17 @@ void turned_between(const double a[3], const double b[3],
         return;
     }
     const unit_quaternion_f64_t turn = turn_option.value;
-    option_pair_vector3_f64_f64_t option_2;
-    rotation_axis_angle_f64(&turn, &option_2);
-    if (!option_2.is_some) {
+    option_pair_vector3_f64_f64_t turn_option_2;
+    rotation_axis_angle_f64(&turn, &turn_option_2);
+    if (!turn_option_2.is_some) {
         *result = (option_pair_vector3_f64_f64_t){.is_some = false};
         return;
     }
-    result->value.first[0] = option_2.value.first[0] * option.value.second;
-    result->value.first[1] = option_2.value.first[1] * option.value.second;
-    result->value.first[2] = option_2.value.first[2] * option.value.second;
+    result->value.first[0] = turn_option_2.value.first[0] * option.value.second;
+    result->value.first[1] = turn_option_2.value.first[1] * option.value.second;
+    result->value.first[2] = turn_option_2.value.first[2] * option.value.second;
     result->is_some = true;
-    result->value.second = option_2.value.second;
+    result->value.second = turn_option_2.value.second;
 }
 
 void turned_share_between(const float a[3], const float b[3], float share,
