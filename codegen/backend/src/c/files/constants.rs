@@ -133,9 +133,9 @@ fn is_in_header(item: &Const) -> bool {
 /// Returns the macro of a size or a name.
 fn defined_for_callers(context: Context<'_>, id: ConstId, name: &str) -> Item {
     let item = &context.module.consts[id.index()];
-    let value = match item.ty.as_int().filter(|_| item.is_name()) {
-        Some(int) => literal::hexadecimal(int, int.from_word(item.words[0])),
-        None => literal::word(context.names, &item.ty, item.words[0], Readers::Cpp),
+    let value = match item.is_name() {
+        true => Expr::name(format!("0x{:08X}U", item.words[0])),
+        false => literal::word(context.names, &item.ty, item.words[0], Readers::Cpp),
     };
     Item::Define {
         docs: described::constant(context.names, item),
