@@ -180,6 +180,7 @@ impl<'a> Lowering<'a, '_> {
         self.cx.no_clash(&constant.words, site)?;
         let ty = self.cx.value_type(&constant.ty, site)?;
         if let (Some(text), [word]) = (name.strip_prefix('"'), constant.words.as_slice()) {
+            self.cx.not_as_empty(text, site)?;
             let id = self.cx.text(text, *word);
             return self.node(ExprKind::Const(id), ty, site);
         }

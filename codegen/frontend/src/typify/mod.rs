@@ -189,6 +189,11 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::J
     for function in functions.into_iter().filter(|function| is_own(package, function)) {
         cx.function(&function.path);
     }
+    if let Some(first) = package.functions.first()
+        && let Err(problem) = cx.none_as_empty(first.tree.site)
+    {
+        cx.tell(&first.file, problem);
+    }
     let mut errors = std::mem::take(&mut cx.told);
     errors.extend(ranges::wrong(&cx.module));
     errors.extend(crate::axes::wrong(&cx.module));

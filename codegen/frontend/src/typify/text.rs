@@ -10,12 +10,22 @@ use bessemer_ir::{Const, ConstId, Enum, EnumId, Given, Span, Type};
 
 use super::{Context, Result, problem};
 
+const OTHER_TEXT: &str = "change the text of one of them";
+
+fn same_word(one: &str, other: &str) -> String {
+    format!(
+        "the names {one:?} and {other:?} have the same CRC-32, which is all that the C has of a name"
+    )
+}
+
 /// The names of a package.
 pub(super) struct Names<'a> {
     /// Type of names, once there is one.
     ty: Option<EnumId>,
     /// Pairs of names with one word, by the word, which are not refused yet.
     clashes: HashMap<u64, [&'a str; 2]>,
+    /// A name that has the word of the empty one, which zeroed memory has, unless it is refused already.
+    as_empty: Option<&'a str>,
 }
 
 impl<'a> Names<'a> {
@@ -25,7 +35,11 @@ impl<'a> Names<'a> {
         let pair = |[(word, one), (_, other)]: &'a [(u64, String); 2]| {
             (*word, [one.as_str(), other.as_str()])
         };
-        Names { ty: None, clashes: clashing.map(pair).collect() }
+        let as_empty = package.names.iter().find(|(word, text)| *word == 0 && !text.is_empty());
+        let as_empty = as_empty.map(|(_, text)| text.as_str());
+        let mut clashes: HashMap<_, _> = clashing.map(pair).collect();
+        clashes.remove(&0);
+        Names { ty: None, clashes, as_empty }
     }
 }
 
@@ -77,13 +91,23 @@ impl Context<'_> {
         else {
             return Ok(());
         };
-        problem(
-            site,
-            format!(
-                "the names {one:?} and {other:?} have the same CRC-32, which is all that the C has of a name"
-            ),
-            "change the text of one of them",
-        )
+        problem(site, same_word(one, other), OTHER_TEXT)
+    }
+
+    /// Refuses a name that has the word of the empty one, once. Many values have the word 0, so only a literal is the site.
+    pub(super) fn not_as_empty(&mut self, text: &str, site: Site) -> Result<()> {
+        match self.names.as_empty.take_if(|it| *it == text) {
+            Some(text) => problem(site, same_word("", text), OTHER_TEXT),
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses such a name that no literal has.
+    pub(super) fn none_as_empty(&mut self, site: Site) -> Result<()> {
+        match self.names.as_empty.take() {
+            Some(text) => problem(site, same_word("", text), OTHER_TEXT),
+            None => Ok(()),
+        }
     }
 
     /// Returns true for the type of names.
