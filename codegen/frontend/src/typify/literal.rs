@@ -177,10 +177,9 @@ impl<'a> Lowering<'a, '_> {
         let source = self.source;
         let constant = source.constants.get(index as usize);
         let constant = constant.needed(site, "the tree names a constant that is not there")?;
-        self.cx.no_clash(&constant.words, site)?;
+        self.cx.no_clash(&constant.words, name.starts_with('"'), site)?;
         let ty = self.cx.value_type(&constant.ty, site)?;
         if let (Some(text), [word]) = (name.strip_prefix('"'), constant.words.as_slice()) {
-            self.cx.not_as_empty(text, site)?;
             let id = self.cx.text(text, *word);
             return self.node(ExprKind::Const(id), ty, site);
         }

@@ -190,7 +190,7 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::J
         cx.function(&function.path);
     }
     if let Some(first) = package.functions.first()
-        && let Err(problem) = cx.none_as_empty(first.tree.site)
+        && let Err(problem) = cx.no_clash_left(first.tree.site)
     {
         cx.tell(&first.file, problem);
     }
@@ -361,6 +361,7 @@ struct Context<'a> {
     /// Names in snake case, below their module or type, that authors chose.
     authored: HashSet<String>,
     types: Types<'a>,
+    /// Names, `&str`: their type, and pairs that the C could not distinguish.
     names: text::Names<'a>,
     calls: Calls<'a>,
     implied: Implied<'a>,

@@ -3,44 +3,49 @@
 //! While functions are lowered, names have the type of an enum without variants, so that nothing takes one for a
 //! number: they have no order, no arithmetic and no conversion.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use bessemer_ir::tree::{Package, Site, Ty};
 use bessemer_ir::{Const, ConstId, Enum, EnumId, Given, Span, Type};
 
 use super::{Context, Result, problem};
 
-const OTHER_TEXT: &str = "change the text of one of them";
-
-fn same_word(one: &str, other: &str) -> String {
-    format!(
-        "the names {one:?} and {other:?} have the same CRC-32, which is all that the C has of a name"
-    )
-}
-
 /// The names of a package.
 pub(super) struct Names<'a> {
     /// Type of names, once there is one.
     ty: Option<EnumId>,
     /// Pairs of names with one word, by the word, which are not refused yet.
-    clashes: HashMap<u64, [&'a str; 2]>,
-    /// A name that has the word of the empty one, which zeroed memory has, unless it is refused already.
-    as_empty: Option<&'a str>,
+    clashes: BTreeMap<u64, [&'a str; 2]>,
 }
 
 impl<'a> Names<'a> {
     pub(super) fn of(package: &'a Package) -> Self {
-        let pairs = package.names.array_windows();
-        let clashing = pairs.filter(|[(one, _), (other, _)]| one == other);
-        let pair = |[(word, one), (_, other)]: &'a [(u64, String); 2]| {
-            (*word, [one.as_str(), other.as_str()])
-        };
-        let as_empty = package.names.iter().find(|(word, text)| *word == 0 && !text.is_empty());
-        let as_empty = as_empty.map(|(_, text)| text.as_str());
-        let mut clashes: HashMap<_, _> = clashing.map(pair).collect();
-        clashes.remove(&0);
-        Names { ty: None, clashes, as_empty }
+        let mut texts = BTreeMap::from([(0, "")]);
+        let mut clashes = BTreeMap::new();
+        for (word, text) in &package.names {
+            match texts.insert(*word, text.as_str()) {
+                Some(other) if other != text => _ = clashes.insert(*word, [other, text]),
+                _ => {}
+            }
+        }
+        Names { ty: None, clashes }
     }
+
+    /// Takes a pair with one of these words. Many values have the word of the empty name, 0, which counts for texts alone.
+    pub(super) fn clash(&mut self, words: &[u64], is_text: bool) -> Option<[&'a str; 2]> {
+        let mut words = words.iter().filter(|word| is_text || **word != 0);
+        words.find_map(|word| self.clashes.remove(word))
+    }
+}
+
+fn one_word<T>([one, other]: [&str; 2], site: Site) -> Result<T> {
+    problem(
+        site,
+        format!(
+            "the names {one:?} and {other:?} have the same CRC-32, which is all that the C has of a name"
+        ),
+        "change the text of one of them",
+    )
 }
 
 impl Context<'_> {
@@ -86,26 +91,17 @@ impl Context<'_> {
 
     /// Refuses a value with a name that has the word of another, once for each two names. Without such names, words are
     /// words.
-    pub(super) fn no_clash(&mut self, words: &[u64], site: Site) -> Result<()> {
-        let Some([one, other]) = words.iter().find_map(|word| self.names.clashes.remove(word))
-        else {
-            return Ok(());
-        };
-        problem(site, same_word(one, other), OTHER_TEXT)
-    }
-
-    /// Refuses a name that has the word of the empty one, once. Many values have the word 0, so only a literal is the site.
-    pub(super) fn not_as_empty(&mut self, text: &str, site: Site) -> Result<()> {
-        match self.names.as_empty.take_if(|it| *it == text) {
-            Some(text) => problem(site, same_word("", text), OTHER_TEXT),
+    pub(super) fn no_clash(&mut self, words: &[u64], is_text: bool, site: Site) -> Result<()> {
+        match self.names.clash(words, is_text) {
+            Some(pair) => one_word(pair, site),
             None => Ok(()),
         }
     }
 
-    /// Refuses such a name that no literal has.
-    pub(super) fn none_as_empty(&mut self, site: Site) -> Result<()> {
-        match self.names.as_empty.take() {
-            Some(text) => problem(site, same_word("", text), OTHER_TEXT),
+    /// Refuses two names with one word that are in no value so far.
+    pub(super) fn no_clash_left(&mut self, site: Site) -> Result<()> {
+        match self.names.clashes.pop_first() {
+            Some((_, pair)) => one_word(pair, site),
             None => Ok(()),
         }
     }

@@ -89,7 +89,7 @@ impl<'a> Context<'a> {
                 }
                 let (initial, defaults) = (initial.clone(), defaults.clone());
                 for words in [&initial, &defaults].into_iter().flatten() {
-                    if let Err(clash) = self.no_clash(words, site) {
+                    if let Err(clash) = self.no_clash(words, false, site) {
                         self.tell(&definition.file, clash);
                     }
                 }

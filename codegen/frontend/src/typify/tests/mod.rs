@@ -3,6 +3,7 @@
 
 mod lengths;
 mod literals;
+mod names;
 mod order;
 mod patterns;
 mod statements;
