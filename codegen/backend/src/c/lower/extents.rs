@@ -14,6 +14,7 @@ use bessemer_ir::{
 
 use super::Lower;
 use crate::c::names::Names;
+use crate::c::signature::Signature;
 use crate::c::sizes;
 use crate::c::tree::Expr as CExpr;
 
@@ -105,11 +106,18 @@ impl Lower<'_> {
 pub(super) fn of_locals(
     names: &Names,
     module: &Module,
-    function: &Function,
+    id: FunctionId,
 ) -> BTreeMap<LocalId, Vec<Option<ConstId>>> {
-    let found = BTreeMap::new();
-    let mut lengths =
-        Lengths { names, module, function, found, ends: BTreeMap::new(), alike: BTreeMap::new() };
+    let (function, own) = (&module.functions[id.index()], names.signature(id));
+    let mut lengths = Lengths {
+        names,
+        module,
+        function,
+        own,
+        found: BTreeMap::new(),
+        ends: BTreeMap::new(),
+        alike: BTreeMap::new(),
+    };
     lengths.block(&function.body);
     let Lengths { found, alike, .. } = lengths;
     let mut all: BTreeMap<_, _> =
@@ -127,6 +135,8 @@ struct Lengths<'l> {
     names: &'l Names,
     module: &'l Module,
     function: &'l Function,
+    /// Signature of the function.
+    own: &'l Signature,
     /// Constants of each local; none if two parameters disagree.
     found: BTreeMap<LocalId, Option<Vec<Option<ConstId>>>>,
     /// Constants at which the visible loops end, by their counters.
@@ -154,16 +164,12 @@ impl Lengths<'_> {
             None => {
                 let known = self.found.get(&place.root).cloned().flatten();
                 let known = known.or_else(|| self.alike.get(&place.root).cloned());
-                let of_function = || {
-                    let params = &self.names.functions;
-                    let signature = params.iter().zip(&self.module.functions);
-                    let (own, _) =
-                        signature.into_iter().find(|(_, it)| std::ptr::eq(*it, self.function))?;
+                let of_parameter = || {
                     let index = place.root.index();
-                    (index < self.function.params as usize)
-                        .then(|| own.params.get(index).map(|param| param.sizes.clone()))?
+                    let mut params = self.own.params.iter().take(self.function.params as usize);
+                    params.nth(index).map(|param| param.sizes.clone())
                 };
-                known.or_else(of_function)?
+                known.or_else(of_parameter)?
             }
             Some((Step::Field(field), before)) => {
                 let mut ty = self.function.local(place.root).ty.clone();

@@ -147,7 +147,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
             function,
             context.names.layout != super::matrices::Layout::Array,
         ),
-        sizes: extents::of_locals(context.names, context.module, function),
+        sizes: extents::of_locals(context.names, context.module, id),
         declared: BTreeMap::new(),
         parts: BTreeMap::new(),
         bytes: 0,
