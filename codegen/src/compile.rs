@@ -65,10 +65,9 @@ pub fn compile(
     let compiled = deep(|| {
         let typed = typify::typify(package, sources, options.layout == Layout::Columns)?;
         gate(&typed.0)?;
-        of_module(typed, Some(sources), &package.license, options)
+        let names = package.names.iter().map(|(_, text)| text.clone()).collect();
+        of_module(typed, Some(sources), (&package.license, names), options)
     });
-    let names = package.names.iter().map(|(_, text)| text.clone()).collect();
-    let compiled = compiled.map(|it| Compiled { names, ..it });
     compiled.map_err(|errors| errors.into_iter().map(|it| by_deref(package, it)).collect())
 }
 
@@ -95,16 +94,15 @@ impl Compiled {
     ///
     /// All errors in it, at the author's lines.
     pub fn anew(&self, options: &Options) -> Result<Compiled, Vec<Diagnostic>> {
-        let typed = (self.module.clone(), self.typed);
-        let compiled = deep(|| of_module(typed, None, &self.license, options))?;
-        Ok(Compiled { names: self.names.clone(), ..compiled })
+        let said = (self.license.as_str(), self.names.clone());
+        deep(|| of_module((self.module.clone(), self.typed), None, said, options))
     }
 }
 
 fn of_module(
     (module, typed): (Module, Typed),
     sources: Option<&Sources>,
-    license: &str,
+    (license, names): (&str, Vec<String>),
     options: &Options,
 ) -> Result<Compiled, Vec<Diagnostic>> {
     let options = &Options { license: license.to_owned(), ..options.clone() };
@@ -144,7 +142,7 @@ fn of_module(
         replaced,
         fast,
         library,
-        names: Vec::new(),
+        names,
     })
 }
 
