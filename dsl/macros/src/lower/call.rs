@@ -80,7 +80,7 @@ impl Lowering {
 
     pub(super) fn method_call(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
         let mut arguments = vec![self.value(&mut it.receiver)];
-        // What a panic would say stays in the Rust.
+        // The C has no messages of panics, as `expect` and `expect_err` have them.
         let message = text(&it.method).trim_end_matches("_err") == "expect"
             && matches!(it.args.first(), Some(syn::Expr::Lit(it)) if matches!(it.lit, syn::Lit::Str(_)));
         if !message {
