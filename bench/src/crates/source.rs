@@ -2,8 +2,8 @@
 //!
 //! A file `marks` has sections `[src/lib.rs]`; a line below is the number of a line of that file, and an attribute or an import that comes before it. A file
 //! `edits` has the same sections; a line below is a number, and `old => new`: what becomes of the one place of `old` in that line. Both count the lines of
-//! the file as it came. `features` has the features that replace the default ones, `note` what a reader of the table should know: the reason why a
-//! crate does not pass, or differs from the original.
+//! the file as it came. `features` has the features that replace the default ones of the marked copy; the original keeps its own, with which its
+//! `cargo test` runs. `note` has what a reader of the table should know: the reason why a crate does not pass, or differs from the original.
 
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -172,7 +172,7 @@ fn version_of<'v>(versions: &'v str, section: &str) -> Option<&'v str> {
 fn manifest(of: &Crate, text: &str, side: &str) -> String {
     let features = of.ours("features");
     let features: Vec<String> = features.split_whitespace().map(|it| format!("\"{it}\"")).collect();
-    let chosen = of.folder().join("features").exists();
+    let chosen = side == "marked" && of.folder().join("features").exists();
     let versions = if side == "marked" { of.ours("versions") } else { String::new() };
     let mut kept = String::new();
     let mut section = String::new();
