@@ -57,7 +57,7 @@ pub use bessemer_macros::library;
 #[doc(hidden)]
 pub use bessemer_macros::{__Configured, __removed};
 #[doc(inline)]
-pub use bessemer_macros::{c, entry, requirement};
+pub use bessemer_macros::{State, c, entry, requirement};
 #[cfg(not(feature = "generate"))]
 #[doc(inline)]
 pub use bessemer_macros::{component, data, external, function, interface};
@@ -124,8 +124,8 @@ pub mod prelude {
     pub use crate::generate::mem::drop;
     pub use crate::math::{Integer, Real, real};
     pub use crate::{
-        BoundedMatrix, List, Text, c, component, data, entry, external, function, interface,
-        matrix, requirement, vector,
+        BoundedMatrix, List, State, Text, c, component, data, entry, external, function,
+        interface, matrix, requirement, vector,
     };
     pub use nalgebra::{
         Isometry3, Matrix1, Matrix1x2, Matrix1x3, Matrix1x4, Matrix1x5, Matrix1x6, Matrix2,

@@ -44,3 +44,65 @@ pub fn discretized<const N: usize>(
     }
     (transition, total)
 }
+
+/// Returns e^A. A is halved `halvings` times until its norm is below 0.5; a series of fourteen terms is then exact to the rounding, and each
+/// doubling squares it.
+#[function]
+pub fn exponential<T: Real, const N: usize>(
+    matrix: &SMatrix<T, N, N>,
+    halvings: usize,
+) -> SMatrix<T, N, N> {
+    let mut part = T::ONE;
+    for _ in 0..halvings {
+        part *= real(0.5);
+    }
+    let mut sum = SMatrix::<T, N, N>::identity();
+    let mut power = SMatrix::<T, N, N>::identity();
+    for k in 1..TERMS {
+        power = matrix * power * (part / real(k as f64));
+        sum += power;
+    }
+    for _ in 0..halvings {
+        sum = sum * sum;
+    }
+    sum
+}
+
+/// Returns the state after a period, by one step of the classical Runge-Kutta method of fourth order; `law` gives its rate.
+#[function]
+pub fn runge_kutta<T: Real, const N: usize>(
+    state: &SVector<T, N>,
+    period: T,
+    law: impl Fn(&SVector<T, N>) -> SVector<T, N>,
+) -> SVector<T, N> {
+    let half = period * real(0.5);
+    let one = law(state);
+    let two = law(&(state + one * half));
+    let three = law(&(state + two * half));
+    let four = law(&(state + three * period));
+    state + (one + (two + three) * real::<T>(2.0) + four) * (period / real(6.0))
+}
+
+/// Returns the state of [`runge_kutta`] and its Jacobian by the state before; `law` gives the rate and the rate's Jacobian. The Jacobian belongs
+/// to the step, not to the continuous flow: a covariance follows what the filter computes.
+#[function]
+pub fn runge_kutta_jacobian<T: Real, const N: usize>(
+    state: &SVector<T, N>,
+    period: T,
+    law: impl Fn(&SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>),
+) -> (SVector<T, N>, SMatrix<T, N, N>) {
+    let half = period * real(0.5);
+    let sixth = period / real(6.0);
+    let identity = SMatrix::<T, N, N>::identity();
+    let (one, slope_one) = law(state);
+    let (two, by_two) = law(&(state + one * half));
+    let slope_two = by_two * (identity + slope_one * half);
+    let (three, by_three) = law(&(state + two * half));
+    let slope_three = by_three * (identity + slope_two * half);
+    let (four, by_four) = law(&(state + three * period));
+    let slope_four = by_four * (identity + slope_three * period);
+    let next = state + (one + (two + three) * real::<T>(2.0) + four) * sixth;
+    let jacobian =
+        identity + (slope_one + (slope_two + slope_three) * real::<T>(2.0) + slope_four) * sixth;
+    (next, jacobian)
+}

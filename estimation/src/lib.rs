@@ -5,9 +5,12 @@
 //! * [`Symmetric`]: a covariance, symmetric to the last bit after each operation; [`Symmetric::congruence`] predicts it.
 //! * [`Symmetric::correct`] and [`Symmetric::correct_jointly`]: corrections with a gate, which report a covariance that
 //!   would not stay positive.
-//! * [`Factored`]: the same covariance as U D Uᵀ, which cannot lose its sign.
-//! * [`Diagonal`], [`Selection`]: structured matrices whose products skip the zeros.
-//! * [`discretized`]: transition and process noise of a continuous model over a period.
+//! * [`Factored`], [`Rooted`]: the same covariance as U D Uᵀ or L Lᵀ, which cannot lose its sign.
+//! * [`unscented`]: a distribution behind a function, without its derivative; [`Symmetric::correct_unscented`] and [`Rooted`] filter by it.
+//! * [`smoothed`]: a recorded filter, corrected by what came after.
+//! * [`Diagonal`], [`Selection`], [`UpperTriangular`]: structured matrices whose products skip the zeros.
+//! * [`exponential`], [`discretized`]: transition and process noise of a continuous model over a period; [`runge_kutta`] and
+//!   [`runge_kutta_jacobian`] step a nonlinear one.
 //!
 //! Invariant: a covariance that an operation refuses stays as it was.
 //!
@@ -19,11 +22,17 @@
 mod continuous;
 mod correct;
 mod factored;
+mod record;
+mod rooted;
 mod structured;
 mod symmetric;
+mod transform;
 
 pub use continuous::*;
 pub use correct::*;
 pub use factored::*;
+pub use record::*;
+pub use rooted::*;
 pub use structured::*;
 pub use symmetric::*;
+pub use transform::*;

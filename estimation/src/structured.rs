@@ -89,3 +89,62 @@ impl<const M: usize, const N: usize> Selection<M, N> {
         matrix
     }
 }
+
+/// An upper triangle.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UpperTriangular<T: Real, const N: usize> {
+    /// Elements; those below the diagonal are never read.
+    pub elements: SMatrix<T, N, N>,
+}
+
+#[data]
+impl<T: Real, const N: usize> UpperTriangular<T, N> {
+    /// Returns the matrix with its zeros.
+    pub fn matrix(&self) -> SMatrix<T, N, N> {
+        self.elements.upper_triangle()
+    }
+
+    /// Returns the product U v.
+    pub fn times(&self, vector: &SVector<T, N>) -> SVector<T, N> {
+        let mut product = SVector::zeros();
+        for col in 0..N {
+            for row in 0..=col {
+                product[row] += self.elements[(row, col)] * vector[col];
+            }
+        }
+        product
+    }
+
+    /// Returns U Uᵀ.
+    pub fn square(&self) -> Symmetric<T, N> {
+        let mut square = Symmetric::diagonal(&SVector::zeros());
+        for row in 0..N {
+            for col in 0..=row {
+                let mut sum = T::ZERO;
+                for k in row..N {
+                    sum += self.elements[(row, k)] * self.elements[(col, k)];
+                }
+                square.elements[(row, col)] = sum;
+                square.elements[(col, row)] = sum;
+            }
+        }
+        square
+    }
+
+    /// Returns the solution x of U x = b; none if an element of the diagonal is zero.
+    pub fn solve(&self, right: &SVector<T, N>) -> Option<SVector<T, N>> {
+        let mut solution = *right;
+        for above in 0..N {
+            let col = N - 1 - above;
+            if self.elements[(col, col)] == T::ZERO {
+                return None;
+            }
+            solution[col] /= self.elements[(col, col)];
+            for row in 0..col {
+                solution[row] = solution[row] - self.elements[(row, col)] * solution[col];
+            }
+        }
+        Some(solution)
+    }
+}

@@ -33,6 +33,7 @@ mod owned;
 mod place;
 mod redirect;
 mod sizes;
+mod state;
 mod table;
 mod witness;
 mod words;
@@ -75,6 +76,47 @@ pub fn configured(holder: TokenStream) -> TokenStream {
 #[proc_macro_attribute]
 pub fn __removed(_arguments: TokenStream, _holder: TokenStream) -> TokenStream {
     TokenStream::new()
+}
+
+/// Indices, retraction and difference of the state of an estimator: a struct of numbers, vectors and rotations.
+///
+/// Each field is a block of errors: as many as it has elements, or three for a `UnitQuaternion`, a rotation vector about the
+/// body's axes, rad. The struct gets
+///
+/// * a constant for the first index of each block, `VELOCITY` of `velocity`, and `ERRORS`, the number of all;
+/// * `retracted(&errors)`, the state moved by errors, and `difference(&from)`, the errors that move `from` to it:
+///   `from.retracted(&to.difference(&from))` is `to`, up to rounding;
+/// * `vector()` and `of_vector(&vector)`, if no block is a rotation.
+///
+/// # Example
+///
+/// ```
+/// use bessemer::prelude::*;
+///
+/// /// State of a vehicle.
+/// #[data]
+/// #[derive(Clone, Copy, Debug, Default, PartialEq, State)]
+/// pub struct Motion {
+///     /// From the body's frame to the world's.
+///     pub attitude: UnitQuaternion<f64>,
+///     /// Velocity, m/s.
+///     pub velocity: Vector3<f64>,
+///     /// Bias of the barometer, m.
+///     pub bias: f64,
+/// }
+///
+/// assert_eq!((Motion::ATTITUDE, Motion::VELOCITY, Motion::BIAS, Motion::ERRORS), (0, 3, 6, 7));
+/// let mut errors = SVector::<f64, { Motion::ERRORS }>::zeros();
+/// errors[Motion::VELOCITY + 2] = 0.5;
+/// let moved = Motion::default().retracted(&errors);
+/// assert_eq!(moved.velocity, Vector3::new(0.0, 0.0, 0.5));
+/// assert_eq!(moved.difference(&Motion::default()), errors);
+/// ```
+///
+/// In the C the methods are functions as any other, `motion_retracted(…)`.
+#[proc_macro_derive(State)]
+pub fn state(item: TokenStream) -> TokenStream {
+    deep(|| state::derived(item.into()))
 }
 
 /// Expands on a large stack.

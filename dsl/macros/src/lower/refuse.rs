@@ -239,6 +239,10 @@ reasons! {
     ENTRY_OF_DATA: "a type marked `#[data]` cannot have entry points", "mark the struct and this block `#[component]`";
     REQUIREMENT: "`#[requirement]` takes identifiers of requirements", "write `#[requirement(\"HLR-12\")]`, or several: `#[requirement(\"HLR-12\", \"HLR-13\")]`";
     MACRO: "this macro is not supported", "write the expression out, or a function marked `#[function]`";
+    STATE_BLOCK: "a block of a state is a number, a vector or a `UnitQuaternion`", "write `f64`, `Vector3<f64>`, `SVector<f64, 5>` or `UnitQuaternion<f64>`; other data belongs to a struct around the state";
+    STATE_EMPTY: "a state without a field has no errors", "give it a block: `position: Vector3<f64>`";
+    STATE_NUMBERS: "the numbers of this block have another type than those of the first", "write all blocks of a state with `f64`, or all with `f32`";
+    STATE_SHAPE: "a state is a struct whose blocks have names", "write `struct Motion { position: Vector3<f64> }`";
 }
 
 /// Macros that print to a reader.
