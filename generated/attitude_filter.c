@@ -22,6 +22,24 @@
 #include "geometry.h"
 #include "product_f64_6x6_6x1.h"
 
+/** Row and column of the gyroscope's bias about the body's x. */
+static const uint64_t BIAS_X = UINT64_C(3);
+
+/** Row and column of the gyroscope's bias about the body's y. */
+static const uint64_t BIAS_Y = UINT64_C(4);
+
+/** Row and column of the gyroscope's bias about the body's z. */
+static const uint64_t BIAS_Z = UINT64_C(5);
+
+/** Row and column of pitch. */
+static const uint64_t PITCH = UINT64_C(1);
+
+/** Row and column of roll. */
+static const uint64_t ROLL = UINT64_C(0);
+
+/** Row and column of yaw. */
+static const uint64_t YAW = UINT64_C(2);
+
 static void attitude_filter_advance(const orientation_t *orientation, const double rates[3],
     double period, double advance[BESSEMER_RESTRICT 36]);
 
@@ -112,16 +130,16 @@ static void attitude_filter_advance(const orientation_t *orientation, const doub
     const double across = orientation->s3 * rates[0] - orientation->c3 * rates[1];
     const double lean = orientation->s2 / c2;
     (void)memcpy(advance, BESSEMER_IDENTITY_6, sizeof(double[36]));
-    advance[0 + 6 * 1] = -period * along * lean / c2;
-    advance[0 + 6 * 2] = period * across / c2;
-    advance[1 + 6 * 2] = period * along;
-    advance[2 + 6 * 1] = -period * along / (c2 * c2);
-    advance[2 + 6 * 2] += period * across * lean;
-    advance[0 + 6 * 3] = period * orientation->c3 / c2;
-    advance[0 + 6 * 4] = period * orientation->s3 / c2;
-    advance[1 + 6 * 3] = -period * orientation->s3;
-    advance[1 + 6 * 4] = period * orientation->c3;
-    advance[2 + 6 * 3] = period * orientation->c3 * lean;
-    advance[2 + 6 * 4] = period * orientation->s3 * lean;
-    advance[2 + 6 * 5] = period;
+    advance[ROLL + 6U * PITCH] = -period * along * lean / c2;
+    advance[ROLL + 6U * YAW] = period * across / c2;
+    advance[PITCH + 6U * YAW] = period * along;
+    advance[YAW + 6U * PITCH] = -period * along / (c2 * c2);
+    advance[YAW + 6U * YAW] += period * across * lean;
+    advance[ROLL + 6U * BIAS_X] = period * orientation->c3 / c2;
+    advance[ROLL + 6U * BIAS_Y] = period * orientation->s3 / c2;
+    advance[PITCH + 6U * BIAS_X] = -period * orientation->s3;
+    advance[PITCH + 6U * BIAS_Y] = period * orientation->c3;
+    advance[YAW + 6U * BIAS_X] = period * orientation->c3 * lean;
+    advance[YAW + 6U * BIAS_Y] = period * orientation->s3 * lean;
+    advance[YAW + 6U * BIAS_Z] = period;
 }

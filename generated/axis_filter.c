@@ -18,6 +18,15 @@
 #include "bessemer_target.h"
 #include "covariance.h"
 
+/** Row of the accelerometer's bias, m/s². */
+static const uint64_t BIAS = UINT64_C(2);
+
+/** Row of the position, m. */
+static const uint64_t POSITION = UINT64_C(0);
+
+/** Row of the velocity, m/s. */
+static const uint64_t VELOCITY = UINT64_C(1);
+
 void axis_filter_at_rest(double place, double bias, axis_filter_t *axis_filter)
 {
     const double spread[3] = {place * place, 0.01, bias * bias};
@@ -30,9 +39,9 @@ void axis_filter_at_rest(double place, double bias, axis_filter_t *axis_filter)
 void axis_filter_predict(axis_filter_t *self, double acceleration, double period, double noise,
     double drift)
 {
-    const double real = acceleration - self->state[2];
-    self->state[0] += period * (self->state[1] + 0.5 * period * real);
-    self->state[1] += period * real;
+    const double real = acceleration - self->state[BIAS];
+    self->state[POSITION] += period * (self->state[VELOCITY] + 0.5 * period * real);
+    self->state[VELOCITY] += period * real;
     const double half = -0.5 * period * period;
     const double advance[9] = {
         1.0, 0.0, 0.0,
@@ -48,8 +57,8 @@ void axis_filter_predict(axis_filter_t *self, double acceleration, double period
 
 void axis_filter_inflate(axis_filter_t *self)
 {
-    self->covariance[0 + 3 * 0] += 0.25;
-    self->covariance[1 + 3 * 1] += 0.25;
+    self->covariance[POSITION + 3U * POSITION] += 0.25;
+    self->covariance[VELOCITY + 3U * VELOCITY] += 0.25;
 }
 
 bool axis_filter_correct(axis_filter_t *BESSEMER_RESTRICT self, const double row[3],

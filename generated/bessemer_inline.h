@@ -149,7 +149,7 @@ static inline void exponential_power_of_pair(double high, double low, power_t *p
     const double steps = shifted - SINE_TO_INTEGER;
     const double r = high - steps * POWERS_UNIT_STEP_HIGH - steps * POWERS_UNIT_STEP_LOW + low;
 
-    /* As in `step_power`, a term longer. */
+    /* As for one double, a term longer. */
     const double z = r * r;
     const double tail = EXPONENTIAL_E2 + r * EXPONENTIAL_E3
         + z * (EXPONENTIAL_E4 + r * EXPONENTIAL_E5 + z * EXPONENTIAL_E6);

@@ -26,7 +26,7 @@ extern "C" {
 
 /** The signals at one time. */
 typedef struct {
-    /** Time, in periods since `init`. */
+    /** Time, in periods since initialisation. */
     uint32_t period;
     /** Tag of the selection of signals. */
     uint8_t tag;
@@ -54,7 +54,7 @@ typedef struct {
     uint64_t count;
     /** Number of records overwritten before they were sent. */
     uint32_t lost;
-    /** Periods since `init`. */
+    /** Periods since initialisation. */
     uint32_t period;
 } logger_t;
 

@@ -35,7 +35,7 @@ typedef enum {
     PHASE_FLIGHT = 2,
     /** Descending to the ground. */
     PHASE_LANDING = 3,
-    /** Landed, stopped or disarmed: the motors stay off until `init` or the next arming. */
+    /** Landed, stopped or disarmed: the motors stay off until initialisation or the next arming. */
     PHASE_OVER = 4,
     /** Holding the last setpoint, since the link is lost. */
     PHASE_HOLD = 5

@@ -6,7 +6,7 @@ use std::collections::HashSet;
 
 use bessemer_ir::tree::{self, DefinitionKind, Package, Site, TemplateKind, Ty};
 use bessemer_ir::visit::Walk;
-use bessemer_ir::{Const, ConstId, ExprKind, Function, Module, Owner, Role, Span, Type};
+use bessemer_ir::{Const, ConstId, Function, Module, Owner, Role, Span, Type};
 
 use bessemer_backend::c::{Options, Plan, outside};
 use bessemer_backend::passes;
@@ -252,7 +252,7 @@ fn first_use(module: &Module, id: ConstId) -> Option<Span> {
     let mut spans = Vec::new();
     for function in &module.functions {
         function.body.each_expr(|expr| {
-            spans.extend((expr.kind == ExprKind::Const(id)).then_some(expr.span));
+            spans.extend((module.constant(expr) == Some(id)).then_some(expr.span));
         });
     }
     spans.into_iter().min_by_key(|span| (span.file, span.line, span.column))

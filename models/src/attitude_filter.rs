@@ -6,6 +6,30 @@ use crate::covariance::{corrected, grown};
 use crate::geometry::Orientation;
 use bessemer::prelude::*;
 
+/// Row and column of roll.
+#[data]
+const ROLL: usize = 0;
+
+/// Row and column of pitch.
+#[data]
+const PITCH: usize = 1;
+
+/// Row and column of yaw.
+#[data]
+const YAW: usize = 2;
+
+/// Row and column of the gyroscope's bias about the body's x.
+#[data]
+const BIAS_X: usize = 3;
+
+/// Row and column of the gyroscope's bias about the body's y.
+#[data]
+const BIAS_Y: usize = 4;
+
+/// Row and column of the gyroscope's bias about the body's z.
+#[data]
+const BIAS_Z: usize = 5;
+
 /// The aircraft's attitude.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -91,18 +115,18 @@ fn advance(orientation: &Orientation, rates: &Vector3<f64>, period: f64) -> Matr
     let lean = s2 / c2;
 
     let mut advance = Matrix6::identity();
-    advance[(0, 1)] = -period * along * lean / c2;
-    advance[(0, 2)] = period * across / c2;
-    advance[(1, 2)] = period * along;
-    advance[(2, 1)] = -period * along / (c2 * c2);
-    advance[(2, 2)] += period * across * lean;
+    advance[(ROLL, PITCH)] = -period * along * lean / c2;
+    advance[(ROLL, YAW)] = period * across / c2;
+    advance[(PITCH, YAW)] = period * along;
+    advance[(YAW, PITCH)] = -period * along / (c2 * c2);
+    advance[(YAW, YAW)] += period * across * lean;
 
-    advance[(0, 3)] = period * c3 / c2;
-    advance[(0, 4)] = period * s3 / c2;
-    advance[(1, 3)] = -period * s3;
-    advance[(1, 4)] = period * c3;
-    advance[(2, 3)] = period * c3 * lean;
-    advance[(2, 4)] = period * s3 * lean;
-    advance[(2, 5)] = period;
+    advance[(ROLL, BIAS_X)] = period * c3 / c2;
+    advance[(ROLL, BIAS_Y)] = period * s3 / c2;
+    advance[(PITCH, BIAS_X)] = -period * s3;
+    advance[(PITCH, BIAS_Y)] = period * c3;
+    advance[(YAW, BIAS_X)] = period * c3 * lean;
+    advance[(YAW, BIAS_Y)] = period * s3 * lean;
+    advance[(YAW, BIAS_Z)] = period;
     advance
 }

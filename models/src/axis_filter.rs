@@ -5,6 +5,18 @@
 use crate::covariance::{corrected, diagonal, grown};
 use bessemer::prelude::*;
 
+/// Row of the position, m.
+#[data]
+const POSITION: usize = 0;
+
+/// Row of the velocity, m/s.
+#[data]
+const VELOCITY: usize = 1;
+
+/// Row of the accelerometer's bias, m/s².
+#[data]
+const BIAS: usize = 2;
+
 /// One axis of the inertial frame.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,9 +38,9 @@ impl AxisFilter {
     /// Predicts one period, s, from a measured acceleration, m/s², with standard deviation `noise`, m/s², and bias
     /// drift `drift`, m/s² in a second.
     pub fn predict(&mut self, acceleration: f64, period: f64, noise: f64, drift: f64) {
-        let real = acceleration - self.state[2];
-        self.state[0] += period * (self.state[1] + 0.5 * period * real);
-        self.state[1] += period * real;
+        let real = acceleration - self.state[BIAS];
+        self.state[POSITION] += period * (self.state[VELOCITY] + 0.5 * period * real);
+        self.state[VELOCITY] += period * real;
 
         let half = -0.5 * period * period;
         let advance = Matrix3::new(1.0, period, half, 0.0, 1.0, -period, 0.0, 0.0, 1.0);
@@ -42,8 +54,8 @@ impl AxisFilter {
     /// Inflates the covariance of position and velocity by (0.5 m)² and (0.5 m/s)², so that the gate accepts larger
     /// innovations.
     pub fn inflate(&mut self) {
-        self.covariance[(0, 0)] += 0.25;
-        self.covariance[(1, 1)] += 0.25;
+        self.covariance[(POSITION, POSITION)] += 0.25;
+        self.covariance[(VELOCITY, VELOCITY)] += 0.25;
     }
 
     /// Corrects the state by a measurement of `row` · state with the passed variance. The measurement is rejected, and

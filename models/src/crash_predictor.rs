@@ -1,7 +1,7 @@
 //! Crash prediction (thesis, §6.1): limits on the present state, on the state extrapolated over a horizon, and on the
 //! age of the measurements.
 //!
-//! It checks the state, not the cause. An alarm, once raised, stays until `init`: the motors stop.
+//! It checks the state, not the cause. An alarm, once raised, stays until initialisation: the motors stop.
 
 use crate::airframe::GRAVITY;
 use crate::estimator::Ages;

@@ -21,7 +21,7 @@ pub const DEPTH: usize = 16;
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Record {
-    /// Time, in periods since `init`.
+    /// Time, in periods since initialisation.
     pub period: u32,
     /// Tag of the selection of signals.
     pub tag: u8,
@@ -77,7 +77,7 @@ pub struct Logger {
     pub count: usize,
     /// Number of records overwritten before they were sent.
     pub lost: u32,
-    /// Periods since `init`.
+    /// Periods since initialisation.
     pub period: u32,
 }
 

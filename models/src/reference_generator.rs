@@ -25,7 +25,7 @@ pub enum Phase {
     Flight,
     /// Descending to the ground.
     Landing,
-    /// Landed, stopped or disarmed: the motors stay off until `init` or the next arming.
+    /// Landed, stopped or disarmed: the motors stay off until initialisation or the next arming.
     Over,
     /// Holding the last setpoint, since the link is lost.
     Hold,

@@ -9,7 +9,7 @@
 //! * Every node has its [`Span`]. Spans never influence the emitted C.
 
 use alloc::boxed::Box;
-use alloc::collections::{BTreeMap, BTreeSet};
+use alloc::collections::BTreeMap;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -19,6 +19,7 @@ use crate::kernel::Kernel;
 use crate::number::{Float, Int, Scalar};
 pub use crate::operation::{Intrinsic, Routine};
 pub use crate::operator::{BinaryOp, CompareOp, LogicOp, UnaryOp};
+use crate::written::Written;
 
 macro_rules! handles {
     ($($(#[$doc:meta])* $name:ident),* $(,)?) => {$(
@@ -76,9 +77,8 @@ pub struct Module {
     pub consts: Vec<Const>,
     /// Functions; callees before callers.
     pub functions: Vec<Function>,
-    /// Literals that authors write in hexadecimal or binary (which C99 lacks): span and word. They affect only the
-    /// appearance of the C.
-    pub hexadecimal: BTreeSet<(Span, u64)>,
+    /// Literals that authors do not write in decimal, by span and word. They affect only the appearance of the C.
+    pub written: BTreeMap<(Span, u64), Written>,
 }
 
 /// A constant that rustc evaluated.

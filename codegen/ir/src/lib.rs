@@ -26,6 +26,7 @@ pub mod text;
 pub mod used;
 pub mod visit;
 pub mod words;
+mod written;
 
 pub use bessemer_tree as tree;
 pub use bessemer_tree::attributes::{self, Attributes, Given, Inlining, Range};
@@ -33,3 +34,4 @@ pub use bessemer_tree::number::{self, Float, Int, Scalar};
 pub use bessemer_tree::operation;
 pub use ir::*;
 pub use kernel::{Kernel, KernelRoutine};
+pub use written::Written;

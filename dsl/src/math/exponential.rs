@@ -131,7 +131,7 @@ pub fn power_of_pair(high: f64, low: f64) -> Power {
     let shifted = high * STEPS_PER_UNIT + TO_INTEGER;
     let steps = shifted - TO_INTEGER;
     let r = ((high - steps * UNIT_STEP_HIGH) - steps * UNIT_STEP_LOW) + low;
-    // As in `step_power`, a term longer.
+    // As for one double, a term longer.
     let z = r * r;
     let tail = (E2 + r * E3) + z * ((E4 + r * E5) + z * E6);
     let steps = shifted.raw_bits();

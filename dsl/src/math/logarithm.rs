@@ -7,10 +7,8 @@
 //! is exact except for the error of the leading part of ln 2, and one sum rounds.
 //!
 //! From 15/16 to 17/16 that would lose too much: there ln(1 + r) is r − r²/2 in two doubles and a longer polynomial.
-//! [`powf`] needs more precision everywhere: [`logarithm`] is in two doubles, with c whose reciprocals have so few
+//! A power needs more precision everywhere: [`logarithm`] is in two doubles, with c whose reciprocals have so few
 //! bits that r is exact.
-//!
-//! [`powf`]: super::power::powf
 
 use super::RawBits as _;
 use super::pair::{LEADING, Pair, UPPER, ordered_sum, sum};

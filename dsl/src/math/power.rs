@@ -1,7 +1,7 @@
 //! Powers.
 //!
 //! x^y = e^(y · ln x), with the logarithm and the product in two doubles; special values are those of C99, Annex F.
-//! Integer powers are products by squaring, in the order that [`powi`] states.
+//! Integer powers are products by squaring, from the last binary digit of the exponent on.
 
 // A NaN goes the way of what is not less.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]

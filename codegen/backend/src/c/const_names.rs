@@ -9,7 +9,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::visit::Walk;
-use bessemer_ir::{Const, ConstId, ExprKind, FunctionId, Module};
+use bessemer_ir::{Const, ConstId, FunctionId, Module};
 
 use super::analysis::inline_callees;
 use super::reserved::is_reserved_globally;
@@ -47,9 +47,7 @@ impl ConstNames {
             };
             for id in [id].into_iter().chain(inline_callees(module, [id], own_inline)) {
                 module.functions[id.index()].body.each_expr(|expr| {
-                    if let ExprKind::Const(id) = expr.kind {
-                        file.insert(id);
-                    }
+                    file.extend(module.constant(expr));
                 });
             }
         }

@@ -44,7 +44,7 @@ impl Near {
                 signature.storage == Storage::Extern
                     && !faults.fallible(FunctionId(index as u32))
                     && !function.owner.is_some_and(latched)
-                    && is_small(function)
+                    && is_small(module, function)
             })
             .collect();
         let mut near = Near::default();
@@ -92,7 +92,7 @@ impl Near {
 
 /// Returns true for a short function that computes, without loops, calls, checks and constants, whose author requests
 /// nothing else.
-fn is_small(function: &Function) -> bool {
+fn is_small(module: &Module, function: &Function) -> bool {
     let attributes = &function.attributes;
     let is_free = attributes.inlining == Inlining::Free && attributes.section.is_none();
     let mut plain = function.kernel.is_none() && is_free;
@@ -103,9 +103,8 @@ fn is_small(function: &Function) -> bool {
     function.body.each_expr(|expr| {
         count += 1;
         computes |= matches!(expr.kind, ExprKind::Binary(..));
-        let heavy =
-            matches!(expr.kind, ExprKind::Call(..) | ExprKind::Const(_) | ExprKind::Routine(..));
-        plain &= !heavy;
+        let heavy = matches!(expr.kind, ExprKind::Call(..) | ExprKind::Routine(..));
+        plain &= !heavy && module.constant(expr).is_none();
     });
     plain && computes && count <= SMALL && !matches!(function.role, Role::Inline { .. })
 }

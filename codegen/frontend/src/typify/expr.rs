@@ -3,7 +3,7 @@
 use bessemer_ir::tree::{self, BinaryOp as Op, Role, Site};
 use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Float, Int, KernelRoutine, LogicOp, Routine, Scalar, Span,
-    Type, UnaryOp,
+    Type, UnaryOp, Written,
 };
 
 use super::expand::is_ours;
@@ -182,7 +182,7 @@ impl Lowering<'_, '_> {
         let word = literal::integer(digits, negative, scalar, site)?;
         if digits.starts_with("0x") {
             let span = self.span(site);
-            self.cx.module.hexadecimal.insert((span, word));
+            self.cx.module.written.insert((span, word), Written::Hexadecimal);
         }
         self.node(ExprKind::Literal(word), Type::Scalar(scalar), site)
     }

@@ -2,7 +2,7 @@
 //! variants, defaults.
 
 use bessemer_ir::tree::{self, BinaryOp, Builtin, MatrixMethod, Site};
-use bessemer_ir::{Expr, ExprKind, Float, Scalar, Type, UnaryOp};
+use bessemer_ir::{Expr, ExprKind, Float, Scalar, Type, UnaryOp, Written};
 
 use super::lowering::Lowering;
 use super::value::Value;
@@ -116,7 +116,8 @@ pub(super) fn wide_integer(
     let (span, fields) = (lowering.span(site), lowering.cx.fields(id).to_vec());
     let words = [(value >> 64) as u64, value as u64];
     if digits.starts_with("0x") {
-        lowering.cx.module.hexadecimal.extend(words.map(|word| (span, word)));
+        let spelt = words.map(|word| ((span, word), Written::Hexadecimal));
+        lowering.cx.module.written.extend(spelt);
     }
     let parts = fields.iter().zip(words);
     let parts = parts.map(|(field, word)| Expr::literal(word, field.ty.clone(), span));

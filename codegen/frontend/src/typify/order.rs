@@ -9,8 +9,8 @@ use std::collections::HashSet;
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
-    CompareOp, Expr, ExprKind, Fault, Form, Intrinsic, LocalId, Place, Routine, Scalar, Step, Stmt,
-    StmtKind, Type,
+    CompareOp, Expr, ExprKind, Fault, Form, Intrinsic, LocalId, Module, Place, Routine, Scalar,
+    Step, Stmt, StmtKind, Type, Written,
 };
 
 use super::borrowed::Lenders;
@@ -180,7 +180,8 @@ impl Lowering<'_, '_> {
     pub(super) fn indexed(&mut self, mut place: Place) -> Place {
         let Some(mut last) = place.steps.pop() else { return place };
         for index in last.indices_mut() {
-            *index = self.atom(words::INDEX, index.clone());
+            let named = named_index(&mut self.cx.module, index.clone());
+            *index = self.atom(words::INDEX, named);
         }
         let lengths = match self.type_of(place.root, &place.steps) {
             // The place of a reference was checked where the reference was chosen.
@@ -202,6 +203,25 @@ impl Lowering<'_, '_> {
         place.steps.push(last);
         place
     }
+}
+
+/// Returns an index as its number, if it is the name of one: a constant, or a variant `as usize`. The C has the name.
+fn named_index(module: &mut Module, index: Expr) -> Expr {
+    let named = match &index.kind {
+        ExprKind::Const(id) => match module.consts[id.index()].words.as_slice() {
+            [word] => Some((*word, Written::Constant(*id))),
+            _ => None,
+        },
+        ExprKind::Cast(of) if let (ExprKind::Literal(at), Type::Enum(id)) = (&of.kind, &of.ty) => {
+            let number = module.enums[id.index()].variants.get(*at as usize).map(|it| it.value);
+            let word = number.and_then(|number| u64::try_from(number).ok());
+            word.map(|word| (word, Written::Variant(*id, *at as u32)))
+        }
+        _ => None,
+    };
+    let Some((word, written)) = named.filter(|_| index.ty == Type::USIZE) else { return index };
+    module.written.insert((index.span, word), written);
+    Expr::usize(word, index.span)
 }
 
 /// Returns the locals that statements declare and that `named` or a lender mentions.

@@ -332,7 +332,7 @@ fn own_items(text: &str, module: &str) -> String {
 fn strip(module: &mut Module) {
     module.files.clear();
     module.about.clear();
-    module.hexadecimal.clear();
+    module.written.clear();
     for it in &mut module.structs {
         (it.span, it.docs) = Default::default();
         for field in &mut it.fields {

@@ -24,7 +24,8 @@
 //!   behind expressions, places and types of locals. What is left out is taken from the statement (or
 //!   item) around. Without any `@`: a statement has the span of what surrounds it; an expression has
 //!   its first operand's where the operand comes first, else its statement's.
-//! * `@0:9:14 hexadecimal 32768`: the literal there, of that word, is written in base sixteen.
+//! * `@0:9:14 hexadecimal 32768`: the literal there, of that word, is written in base sixteen; with
+//!   `constant 3` the author wrote that constant, and with `variant 2 0` that variant of an enum.
 //! * **Names** stand bare where they are unique and defined above, else behind their handle:
 //!   `%3.err` (local), `#3.step` (function), `const#3.LIMIT`, `struct#3.Pid`, `enum#3.Mode`. A name
 //!   that is no identifier or is a word of this language is in double quotes. Locals are numbered

@@ -275,9 +275,9 @@ impl Parser {
                 continue;
             }
             let span = self.span(Span::default())?.unwrap_or_default();
-            if self.eat_word("hexadecimal") {
+            if let Some(written) = self.spelling()? {
                 let word = self.long()?;
-                self.module.hexadecimal.insert((span, word));
+                self.module.written.insert((span, word), written);
             } else if self.eat_word("struct") {
                 self.structure(docs, span)?;
             } else if self.eat_word("enum") {

@@ -8,9 +8,11 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use crate::ir::{
-    Argument, ConstId, Expr, ExprKind, FunctionId, LocalId, Place, Span, Step, Type, UnaryOp,
+    Argument, ConstId, EnumId, Expr, ExprKind, FunctionId, LocalId, Place, Span, Step, Type,
+    UnaryOp,
 };
 use crate::number::{Int, Scalar};
+use crate::written::Written;
 
 use super::MAX_HEIGHT;
 use super::lex::Token;
@@ -37,6 +39,19 @@ impl Draft {
 }
 
 impl Parser {
+    /// Reads the spelling of a literal; none if another item follows.
+    pub fn spelling(&mut self) -> Parsed<Option<Written>> {
+        Ok(Some(if self.eat_word("hexadecimal") {
+            Written::Hexadecimal
+        } else if self.eat_word("constant") {
+            Written::Constant(ConstId(self.number()?))
+        } else if self.eat_word("variant") {
+            Written::Variant(EnumId(self.number()?), self.number()?)
+        } else {
+            return Ok(None);
+        }))
+    }
+
     /// Reads an expression of a statement at `base`.
     pub fn expr(&mut self, base: Span) -> Parsed<Expr> {
         let draft = self.draft(base)?;

@@ -16,6 +16,8 @@ use crate::ir::{
 };
 use crate::number::{Float, Scalar};
 
+use crate::written::Written;
+
 use super::names::shown;
 use super::scope::Scope;
 
@@ -134,10 +136,15 @@ impl<'m> Printer<'m> {
             self.remarks("///", module.about.get(file).map_or(&[][..], Vec::as_slice));
             self.put(format_args!("file {file:?}\n"));
         }
-        for (span, word) in &module.hexadecimal {
+        for ((span, word), written) in &module.written {
             let place = relative(*span, Span::default(), Span::default());
             let gap = if place.is_empty() { "" } else { " " };
-            self.put(format_args!("{place}{gap}hexadecimal {word}\n"));
+            let spelling = match written {
+                Written::Hexadecimal => "hexadecimal".to_string(),
+                Written::Constant(ConstId(id)) => format!("constant {id}"),
+                Written::Variant(EnumId(id), at) => format!("variant {id} {at}"),
+            };
+            self.put(format_args!("{place}{gap}{spelling} {word}\n"));
         }
         for definition in &module.enums {
             let head = ("enum", definition.name.as_str(), definition.module.as_str());

@@ -22,7 +22,7 @@ pub fn module(bytes: &[u8]) -> Module {
         enums,
         consts,
         functions,
-        hexadecimal: source.some(3, |source| (source.span(), source.word())).into_iter().collect(),
+        written: source.some(3, Source::written).into_iter().collect(),
     }
 }
 
@@ -125,6 +125,15 @@ impl Source<'_> {
             300,
         ];
         self.pick(&words)
+    }
+
+    fn written(&mut self) -> ((Span, u64), Written) {
+        let written = match self.below(3) {
+            0 => Written::Hexadecimal,
+            1 => Written::Constant(ConstId(self.handle())),
+            _ => Written::Variant(EnumId(self.handle()), self.handle()),
+        };
+        ((self.span(), self.word()), written)
     }
 
     fn handle(&mut self) -> u32 {

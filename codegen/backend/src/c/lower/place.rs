@@ -1,6 +1,6 @@
 //! Places, indices, and elements of matrices.
 
-use bessemer_ir::{Expr as Ir, ExprKind, Int, LocalId, Place, Scalar, Step, Type};
+use bessemer_ir::{Expr as Ir, ExprKind, Int, LocalId, Place, Scalar, Step, Type, Written};
 
 use super::super::matrices::Layout;
 use super::super::tree::Expr;
@@ -98,7 +98,7 @@ impl Lower<'_> {
     /// Returns an index. Any integer type is valid, so conversions to `usize` and suffixes are omitted.
     pub(super) fn index(&mut self, index: &Ir) -> Expr {
         if let ExprKind::Literal(word) = index.kind {
-            return Expr::name(word.to_string());
+            return self.spelt(index).unwrap_or_else(|| Expr::name(word.to_string()));
         }
         if self.range(index).is_some() {
             return self.narrow(index, true);
@@ -114,6 +114,21 @@ impl Lower<'_> {
         }
     }
 
+    /// Returns the name of a literal index, if its author wrote one.
+    fn spelt(&mut self, index: &Ir) -> Option<Expr> {
+        match self.context.module.written(index)? {
+            Written::Hexadecimal => None,
+            Written::Constant(id) => {
+                self.uses.consts.insert(id);
+                Some(Expr::name(self.constant(id)))
+            }
+            Written::Variant(id, at) => {
+                self.include_type(&Type::Enum(id));
+                Some(Expr::name(&self.context.names.enums[id.index()].variants[at as usize]))
+            }
+        }
+    }
+
     /// Returns one of two indices that are added. A 64-bit index is cast to 32 bits beside a 32-bit one, since both
     /// are within the matrix.
     fn beside_index(&mut self, index: &Ir, other: &Ir) -> Expr {
@@ -122,9 +137,11 @@ impl Lower<'_> {
             long && self.range(index).is_none() && matches!(index.kind, ExprKind::Load(_))
         };
         let alone = is_long(index) && self.counts(other) && !self.is_wide(other);
+        // No arithmetic has an enum as its operand.
+        let variant = matches!(self.context.module.written(index), Some(Written::Variant(..)));
         let value = self.index(index);
         let flat = self.context.names.layout != Layout::Array;
-        if alone && flat { Expr::cast("uint32_t", value) } else { value }
+        if (alone || variant) && flat { Expr::cast("uint32_t", value) } else { value }
     }
 
     /// Returns the place or the constant of an aggregate.

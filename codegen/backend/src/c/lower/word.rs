@@ -5,7 +5,7 @@
 
 use bessemer_ir::{
     BinaryOp, CompareOp, ConstId, Expr as Ir, ExprKind, Int, LogicOp, Role, Routine, Scalar, Type,
-    UnaryOp,
+    UnaryOp, Written,
 };
 
 use super::super::literal::{self, Readers};
@@ -136,7 +136,7 @@ impl Lower<'_> {
 
     /// Returns true if the author wrote a literal in hexadecimal; a single digit is the same in both bases.
     fn is_hexadecimal(&self, expr: &Ir, word: u64) -> bool {
-        word >= 10 && self.context.module.hexadecimal.contains(&(expr.span, word))
+        word >= 10 && self.context.module.written(expr) == Some(Written::Hexadecimal)
     }
 
     /// Returns true if a value is a counter that C holds in 32 bits.
