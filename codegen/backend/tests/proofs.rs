@@ -6,7 +6,7 @@ use bessemer_backend::validate::validate;
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::text::parse;
 use bessemer_ir::visit::{VisitMut, walk_stmt_mut};
-use bessemer_ir::{Fault, FunctionId, Int, Module, Scalar, Stmt, StmtKind, Type};
+use bessemer_ir::{Fault, Float, FunctionId, Int, Module, Scalar, Stmt, StmtKind, Type};
 
 /// Enums that are numbered otherwise than from 0 upwards, and some constants.
 const HEAD: &str = "module demo
@@ -49,6 +49,12 @@ fn words(module: &Module, ty: &Type) -> Vec<u64> {
             all.into_iter().map(|value| word(int, value)).collect()
         }
         Type::Enum(id) => (0..module.enums[id.index()].variants.len() as u64).collect(),
+        Type::Scalar(Scalar::Float(Float::F64)) => {
+            let ends = [0.0, -0.0, 1.0, -1.0, 6.5, 7.0, 8.0, f64::MAX, f64::INFINITY];
+            let near =
+                [7.0_f64.next_down(), 7.0_f64.next_up(), f64::MIN, f64::NEG_INFINITY, f64::NAN];
+            ends.into_iter().chain(near).map(f64::to_bits).collect()
+        }
         _ => vec![0],
     }
 }
@@ -165,8 +171,14 @@ functions! {
         condition_that_writes, returned_behind_a_condition_that_writes,
         returned_as_the_firmware_gave_it, called_and_never_returned,
         divisor_of_a_narrower_type, left_beyond_a_bound, clamped_float_beyond,
-        smaller_float_without_a_largest, divisor_from_a_float, moved_on_in_a_loop;
+        smaller_float_without_a_largest, divisor_from_a_float, moved_on_in_a_loop,
+        sum_of_too_many_signed_numbers, moved_up_and_back_before_a_continue_beyond,
+        zeros_of_a_number_beyond, float_between_numbers_beyond, float_not_below_a_number,
+        rest_of_a_length_beyond;
     proved:
+        sum_of_signed_numbers, moved_up_and_back_before_a_continue, zeros_of_a_number,
+        float_in_a_local, float_between_numbers, zero_of_either_sign, rest_of_a_length,
+        lengths_alike, smaller_of_two_lengths,
         index_of_a_number, number_above, bound_that_moves_by_one, counted_to_a_bound, counted_down,
         counted_to_a_length, index_of_a_variant, count_within_behind_a_loop, count_in_a_loop,
         count_in_loops_in_loops, below_a_length, one_more_below_a_length, last_of_a_loop_backwards,

@@ -19,8 +19,7 @@ macro_rules! rules {
 rules! {
     Interval: "analysis: a condition, by intervals",
     Relation: "analysis: a condition, by one that holds",
-    Length: "analysis: an index, below a length by another value",
-    Defined: "analysis: a local, compared to what it is defined by",
+    Others: "analysis: a comparison, by several others",
     Float: "analysis: a number, by the bounds of the float that is converted",
     Each: "analysis: a comparison with the smaller or the larger of two, as one with each",
     Either: "analysis: a disjunction, where its first part fails",
@@ -32,7 +31,7 @@ rules! {
     Arm: "analysis: narrowed by the arm of a match",
     Rest: "analysis: narrowed by the last arm of a match",
     Counter: "analysis: a counter between the bounds of its loop",
-    Counted: "analysis: a local that a loop counts up",
+    Counted: "analysis: a local that a loop counts",
     Given: "analysis: a word that a loop gives values within an interval",
     Invariant: "analysis: what a loop keeps that ends itself",
     Left: "analysis: what holds where a loop that ends itself is left",

@@ -2,15 +2,11 @@
 
 /* for_ranges.c */
 
-bessemer_status_t for_ranges_window(const int16_t values[8], int32_t result[BESSEMER_RESTRICT 2])
+void for_ranges_window(const int16_t values[8], int32_t result[BESSEMER_RESTRICT 2])
 {
     int32_t sum = 0;
     int32_t negative = 0;
     for (uint32_t i = 0U; i < 8U; i++) {
-        if ((int64_t)sum + (int64_t)values[i] < INT32_MIN
-                || (int64_t)sum + (int64_t)values[i] > INT32_MAX) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
         sum += (int32_t)values[i];
         if (values[i] < 0) {
             negative += 1;
@@ -18,7 +14,6 @@ bessemer_status_t for_ranges_window(const int16_t values[8], int32_t result[BESS
     }
     result[0] = sum;
     result[1] = negative;
-    return BESSEMER_STATUS_OK;
 }
 
 uint32_t for_ranges_falling(uint32_t n, uint8_t k)

@@ -114,10 +114,6 @@ bessemer_status_t for_steps_negative(int32_t from, uint8_t width, int32_t *resul
         + (uint64_t)(i_length % UINT64_C(5) != UINT64_C(0));
     for (uint64_t pass = UINT64_C(0); pass < i_passes; pass++) {
         const int32_t x = wrap_i32((uint32_t)((uint64_t)from_2 + pass * UINT64_C(5)));
-        if ((int64_t)sum_2 + i64_from_i32(x % 7) < INT32_MIN
-                || (int64_t)sum_2 + i64_from_i32(x % 7) > INT32_MAX) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
         sum_2 += x % 7;
     }
     if ((int64_t)sum + (int64_t)sum_2 < INT32_MIN || (int64_t)sum + (int64_t)sum_2 > INT32_MAX) {

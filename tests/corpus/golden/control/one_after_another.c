@@ -58,20 +58,13 @@ void one_after_another_first_zero(const int16_t before[3], const int16_t now[2],
     }
 }
 
-bessemer_status_t one_after_another_left(const int16_t samples[7],
-    int32_t *BESSEMER_RESTRICT result)
+int32_t one_after_another_left(const int16_t samples[7])
 {
     int32_t sum = 0;
     for (uint32_t i = 0U; i < 4U; i++) {
-        const int32_t sum_samples = (int32_t)samples[i * 2U];
-        if ((int64_t)sum + (int64_t)sum_samples < INT32_MIN
-                || (int64_t)sum + (int64_t)sum_samples > INT32_MAX) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
-        sum += sum_samples;
+        sum += (int32_t)samples[i * 2U];
     }
-    *result = sum;
-    return BESSEMER_STATUS_OK;
+    return sum;
 }
 
 bessemer_status_t one_after_another_right(const int16_t samples[7], int32_t *BESSEMER_RESTRICT sum)

@@ -70,9 +70,6 @@ bessemer_status_t pieces_read_again(float data[BESSEMER_RESTRICT 6], uint64_t at
     {
         const uint64_t end = min_u64(UINT64_C(6) - at, at);
         for (uint64_t i = UINT64_C(0); i < end; i++) {
-            if (at + i >= UINT64_C(6)) {
-                return BESSEMER_STATUS_INDEX;
-            }
             data[at + i] *= 0.5F;
             const float a_operand = data[at + i];
             data[i] += a_operand;

@@ -90,10 +90,6 @@ bessemer_status_t Valve_step(Valve_t *BESSEMER_RESTRICT pThis, const ValveOrder_
         pThis->u32Moves += 1U;
     }
     pThis->fPosition = clamp_f32(pThis->fPosition + change, 0.0F, 1.0F);
-    if (u64_from_f32(pThis->fPosition * 8.0F) >= UINT64_C(9)) {
-        pThis->fault = BESSEMER_STATUS_INDEX;
-        return BESSEMER_STATUS_INDEX;
-    }
     *pFlow = kValveFlow[u64_from_f32(pThis->fPosition * 8.0F)];
     return BESSEMER_STATUS_OK;
 }

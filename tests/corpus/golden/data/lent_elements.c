@@ -46,17 +46,9 @@ bessemer_status_t lent_elements_balance(const int16_t values[8], uint64_t middle
     }
     int32_t balance_value = 0;
     for (uint64_t i = middle; i < UINT64_C(8); i++) {
-        if ((int64_t)balance_value + (int64_t)values[i] < INT32_MIN
-                || (int64_t)balance_value + (int64_t)values[i] > INT32_MAX) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
         balance_value += (int32_t)values[i];
     }
     for (uint64_t i = UINT64_C(0); i < middle; i++) {
-        if ((int64_t)balance_value - (int64_t)values[i] < INT32_MIN
-                || (int64_t)balance_value - (int64_t)values[i] > INT32_MAX) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
         balance_value -= (int32_t)values[i];
     }
     *balance = balance_value;

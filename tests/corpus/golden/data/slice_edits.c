@@ -29,21 +29,15 @@ bessemer_status_t slice_edits_consume(uint8_t buffer[8], uint64_t read)
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t slice_edits_is_sentence(const uint8_t text[12], bool *BESSEMER_RESTRICT result)
+bool slice_edits_is_sentence(const uint8_t text[12])
 {
-    bessemer_status_t status;
     const uint8_t elements[3] = {36U, 71U, 80U};
-    bool result_value = false;
+    bool result = false;
     if (slice_edit_starts_with_u8(text, UINT64_C(12), elements, UINT64_C(3))) {
         const uint8_t elements_2[2] = {13U, 10U};
-        status = slice_edit_ends_with_u8(text, UINT64_C(12), elements_2, UINT64_C(2),
-            &result_value);
-        if (status != BESSEMER_STATUS_OK) {
-            return status;
-        }
+        result = slice_edit_ends_with_u8(text, UINT64_C(12), elements_2, UINT64_C(2));
     }
-    *result = result_value;
-    return BESSEMER_STATUS_OK;
+    return result;
 }
 
 void slice_edits_fields(const uint8_t frame[10], pair_u32_i16_t *BESSEMER_RESTRICT result)

@@ -4,8 +4,7 @@
 
 static void slice_patterns_span_of(const float values[], uint64_t values_length,
     option_f32_t *BESSEMER_RESTRICT result);
-static bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t values_length,
-    int16_t *BESSEMER_RESTRICT result);
+static int16_t slice_patterns_largest(const int16_t values[], uint64_t values_length);
 
 void slice_patterns_decoded(const uint8_t bytes[6], pair_u8_u32_t *BESSEMER_RESTRICT result)
 {
@@ -44,45 +43,35 @@ bessemer_status_t slice_patterns_span(const float values[4], uint64_t end,
 }
 
 /** The largest of some values. */
-static bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t values_length,
-    int16_t *BESSEMER_RESTRICT result)
+static int16_t slice_patterns_largest(const int16_t values[], uint64_t values_length)
 {
     if (values_length >= UINT64_C(2)) {
         int16_t most = max_i16(values[0], values[values_length - UINT64_C(1)]);
         for (uint64_t i = UINT64_C(1); i < values_length - UINT64_C(1) - UINT64_C(1) + UINT64_C(1);
                 i++) {
-            if (i >= values_length) {
-                return BESSEMER_STATUS_INDEX;
-            }
             most = max_i16(most, values[i]);
         }
-        *result = most;
-        return BESSEMER_STATUS_OK;
+        return most;
     }
     option_i16_t result_found = {.is_some = false};
     if (values_length > UINT64_C(0)) {
         result_found.is_some = true;
         result_found.value = values[0];
     }
-    int16_t result_value = 0;
+    int16_t result = 0;
     if (result_found.is_some) {
-        result_value = result_found.value;
+        result = result_found.value;
     }
-    *result = result_value;
-    return BESSEMER_STATUS_OK;
+    return result;
 }
 
 bessemer_status_t slice_patterns_largest_from(const int16_t values[5], uint64_t start,
     int16_t *BESSEMER_RESTRICT result)
 {
-    bessemer_status_t status;
     if (start > UINT64_C(5)) {
         return BESSEMER_STATUS_INDEX;
     }
-    status = slice_patterns_largest(&values[start], UINT64_C(5) - start, result);
-    if (status != BESSEMER_STATUS_OK) {
-        return status;
-    }
+    *result = slice_patterns_largest(&values[start], UINT64_C(5) - start);
     return BESSEMER_STATUS_OK;
 }
 

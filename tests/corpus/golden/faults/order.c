@@ -34,10 +34,6 @@ bessemer_status_t programs_faults_order_ring_take(
         return BESSEMER_STATUS_INDEX;
     }
     self->values[self->next + skip] = value;
-    if (self->next + skip > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
-        self->fault = BESSEMER_STATUS_OVERFLOW;
-        return BESSEMER_STATUS_OVERFLOW;
-    }
     self->next = (self->next + skip + UINT64_C(1)) % UINT64_C(4);
     *result = self->taken;
     return BESSEMER_STATUS_OK;

@@ -51,13 +51,7 @@ bessemer_status_t other_crates_reading_step(other_crates_reading_t *BESSEMER_RES
         self->health.tag = HEALTH_TAG_STALE;
         self->health.stale = saturating_add_u8(steps, 1U);
     }
-    double smooth_input;
-    status = filters_interpolate(input, &smooth_input);
-    if (status != BESSEMER_STATUS_OK) {
-        self->fault = status;
-        return status;
-    }
-    const double smooth = filters_low_pass_step(&self->low, smooth_input);
+    const double smooth = filters_low_pass_step(&self->low, filters_interpolate(input));
     const quantities_metres_t height_other = {.value = 1.0};
     quantities_metres_t height_next;
     quantities_metres_add(&self->height, &height_other, &height_next);

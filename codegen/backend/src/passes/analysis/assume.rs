@@ -25,12 +25,7 @@ impl<'m> State<'m> {
                     || self.proves(a)
                     || Rule::Either.told(self.assuming(a, false).proves(b))
             }
-            _ => {
-                let below = || self.relations.below_length(condition, |it| self.fails(it));
-                self.holds(condition)
-                    || Rule::Length.told(below())
-                    || self.by_definition(&erased(condition))
-            }
+            _ => self.holds(condition) || self.by_others(&erased(condition)),
         }
     }
 
@@ -77,7 +72,9 @@ impl<'m> State<'m> {
             (CompareOp::Gt, false) => CompareOp::Le,
             (CompareOp::Ge, false) => CompareOp::Lt,
         };
-        if !float {
+        if float {
+            self.order_floats(op, a, b);
+        } else {
             self.order(op, a, b);
             self.assume_of_each(op, a, b);
         }
@@ -153,6 +150,14 @@ impl<'m> State<'m> {
                 Rule::Brought.used();
                 let range = self.range(expr).meet(interval);
                 self.known.insert(key, Known::Within(range));
+            }
+            // The larger of two is above the other where that one is too small.
+            ExprKind::Intrinsic(Intrinsic::Max, of) if let [x, y] = of.as_slice() => {
+                for (x, y) in [(x, y), (y, x)] {
+                    if self.range(y).high < interval.low {
+                        self.bound(x, Interval::new(interval.low, i128::MAX));
+                    }
+                }
             }
             ExprKind::Binary(BinaryOp::Add, a, b) => {
                 if let Some(b) = self.range(b).single() {

@@ -1,7 +1,8 @@
-//! Locals that are defined by another number: `let end = at + 2;`, `let middle = count / 2;`, `let n = i64::from(x);`.
+//! Comparisons that follow from several others: `i < n` and `n <= length` give `i < length`.
 //!
-//! Meaning: a definition is a relation `local == value`, which holds until something that it reads is written. So it
-//! shows how the local compares to what it comes from. Integers alone: their operations did not overflow.
+//! A local is also compared by its definition: `let end = at + 2;`, `let middle = count / 2;`. That is a relation
+//! `local == value`, which holds until something that it reads is written. Integers alone: their operations did not
+//! overflow.
 
 use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LocalId, Place, Type};
 
@@ -9,16 +10,17 @@ use super::state::State;
 use bessemer_ir::effects::{mentions, same_place};
 use bessemer_ir::used::Rule;
 
-/// Largest number of definitions in one argument.
-const DEPTH: u32 = 4;
+/// Largest number of steps in one argument.
+const DEPTH: u32 = 6;
 
 impl State<'_> {
     /// Records what a local has just been set to.
     pub(crate) fn define(&mut self, local: LocalId, value: &Expr) {
         let defines = match &value.kind {
             ExprKind::Load(_) => true,
-            ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub | BinaryOp::Div, a, b) => {
-                matches!(a.kind, ExprKind::Load(_)) && b.is_literal()
+            ExprKind::Binary(op @ (BinaryOp::Add | BinaryOp::Sub | BinaryOp::Div), a, b) => {
+                let is_place = |it: &Expr| matches!(it.kind, ExprKind::Load(_));
+                is_place(a) && (b.is_literal() || *op == BinaryOp::Sub && is_place(b))
             }
             ExprKind::Intrinsic(Intrinsic::Min | Intrinsic::Max, operands) => {
                 operands.iter().all(|it| matches!(it.kind, ExprKind::Load(_)) || it.is_literal())
@@ -32,8 +34,8 @@ impl State<'_> {
         }
     }
 
-    /// Returns true if a comparison holds by definitions.
-    pub(super) fn by_definition(&self, condition: &Expr) -> bool {
+    /// Returns true if a comparison follows from others.
+    pub(super) fn by_others(&self, condition: &Expr) -> bool {
         let ExprKind::Compare(op, a, b) = &condition.kind else { return false };
         if a.ty.as_int().is_none() {
             return false;
@@ -47,7 +49,7 @@ impl State<'_> {
             CompareOp::Eq => false,
         };
         if holds {
-            Rule::Defined.used();
+            Rule::Others.used();
         }
         holds
     }
@@ -81,41 +83,78 @@ impl State<'_> {
         }
     }
 
-    /// Returns true if `a <= b + more` by definitions.
+    /// Returns true if `a <= b + more`.
     fn at_most(&self, a: &Expr, b: &Expr, more: i128, depth: u32) -> bool {
-        if a == b {
-            return more >= 0;
+        if a == b && more >= 0 {
+            return true;
+        }
+        let (from, to) = (self.range(a), self.range(b));
+        if from.high <= to.low.saturating_add(more) {
+            return true;
         }
         let Some(depth) = depth.checked_sub(1) else { return false };
         let number = |it: &Expr| self.range(it).single();
         let unsigned = a.ty.as_int().is_some_and(|int| !int.signed());
         let of_a = match &a.kind {
-            ExprKind::Binary(BinaryOp::Add, x, by) => {
-                number(by).is_some_and(|by| self.at_most(x, b, more.saturating_sub(by), depth))
-            }
-            ExprKind::Binary(BinaryOp::Sub, x, by) => {
-                number(by).is_some_and(|by| self.at_most(x, b, more.saturating_add(by), depth))
-            }
+            ExprKind::Binary(BinaryOp::Add, x, by) => match number(by) {
+                Some(by) => self.at_most(x, b, more.saturating_sub(by), depth),
+                None => {
+                    self.sum_at_most((x, by), b, more, depth)
+                        || self.sum_at_most((by, x), b, more, depth)
+                }
+            },
+            ExprKind::Binary(BinaryOp::Sub, x, by) => match number(by) {
+                Some(by) => self.at_most(x, b, more.saturating_add(by), depth),
+                None => self.range(by).low >= 0 && self.at_most(x, b, more, depth),
+            },
             ExprKind::Binary(BinaryOp::Div, x, by) if unsigned => {
                 number(by).is_some_and(|by| by > 0) && self.at_most(x, b, more, depth)
             }
             ExprKind::Intrinsic(Intrinsic::Min, all) => {
                 all.iter().any(|x| self.at_most(x, b, more, depth))
             }
-            _ => self.relations.definition(a).is_some_and(|a| self.at_most(a, b, more, depth)),
+            ExprKind::Intrinsic(Intrinsic::Max, all) => {
+                all.iter().all(|x| self.at_most(x, b, more, depth))
+            }
+            _ => false,
         };
-        of_a || match &b.kind {
+        let of_b = || match &b.kind {
             ExprKind::Binary(BinaryOp::Add, y, by) => {
                 number(by).is_some_and(|by| self.at_most(a, y, more.saturating_add(by), depth))
             }
-            ExprKind::Binary(BinaryOp::Sub, y, by) => {
-                number(by).is_some_and(|by| self.at_most(a, y, more.saturating_sub(by), depth))
-            }
+            ExprKind::Binary(BinaryOp::Sub, y, by) => match number(by) {
+                Some(by) => self.at_most(a, y, more.saturating_sub(by), depth),
+                None => self.sum_at_most((a, by), y, more, depth),
+            },
             ExprKind::Intrinsic(Intrinsic::Max, all) => {
                 all.iter().any(|y| self.at_most(a, y, more, depth))
             }
+            ExprKind::Intrinsic(Intrinsic::Min, all) => {
+                all.iter().all(|y| self.at_most(a, y, more, depth))
+            }
             _ => self.relations.definition(b).is_some_and(|b| self.at_most(a, b, more, depth)),
+        };
+        let above = |(c, less): (&Expr, i128)| self.at_most(c, b, more.saturating_add(less), depth);
+        of_a || of_b() || self.relations.above(a).any(above)
+    }
+
+    /// Returns true if `x + y <= b + more`, where `y` is at most a difference `z - x`. The sum itself may be beyond its
+    /// type.
+    fn sum_at_most(&self, (x, y): (&Expr, &Expr), b: &Expr, more: i128, depth: u32) -> bool {
+        let (of_x, of_y) = (self.range(x).high, self.range(y).high);
+        if of_x.saturating_add(of_y) <= self.range(b).low.saturating_add(more) {
+            return true;
         }
+        let Some(depth) = depth.checked_sub(1) else { return false };
+        let is_rest = |c: &Expr, less: i128| match &c.kind {
+            ExprKind::Binary(BinaryOp::Sub, z, of) if **of == *x => {
+                self.at_most(z, b, more.saturating_add(less), depth)
+            }
+            _ => false,
+        };
+        self.relations.above(y).any(|(c, less)| {
+            is_rest(c, less) || self.relations.definition(c).is_some_and(|c| is_rest(c, less))
+        })
     }
 
     /// Returns the difference of two numbers, if one of them is defined by the other and a literal.

@@ -53,6 +53,13 @@ impl State<'_> {
                 let from = args.first().map_or(all, |x| self.brought(x));
                 self.meant(&expr.ty).map_or(all, |meant| meant.meet(from))
             }
+            ExprKind::Intrinsic(
+                Intrinsic::CountOnes | Intrinsic::LeadingZeros | Intrinsic::TrailingZeros,
+                args,
+            ) => {
+                let bits = args.first().and_then(|x| x.ty.as_int()).map_or(64, |int| int.bits());
+                all.meet(Interval::new(0, bits.into()))
+            }
             ExprKind::Intrinsic(which, args) => {
                 let args: Vec<Interval> = args.iter().map(|arg| self.range(arg)).collect();
                 Interval::intrinsic(*which, &args, all)
@@ -65,7 +72,7 @@ impl State<'_> {
     fn at(&self, key: &Key) -> Option<Interval> {
         match self.known.get(key)? {
             Known::Within(interval) => Some(*interval),
-            Known::Float(_) => None,
+            Known::Float(_) | Known::Between(_) => None,
         }
     }
 
@@ -122,7 +129,7 @@ impl State<'_> {
             }
             ExprKind::Load(place) => match self.known.get(&key(place)?)? {
                 Known::Float(value) => *value,
-                Known::Within(_) => return None,
+                Known::Within(_) | Known::Between(_) => return None,
             },
             ExprKind::Unary(UnaryOp::Neg, x) => -self.float(x)?,
             ExprKind::Binary(op, a, b) => {
@@ -138,7 +145,10 @@ impl State<'_> {
     pub(crate) fn value(&self, expr: &Expr) -> Option<Known> {
         match self.all(&expr.ty) {
             Some(_) => Some(Known::Within(self.range(expr))),
-            None => self.float(expr).map(Known::Float),
+            None => {
+                let number = self.float(expr).map(Known::Float);
+                number.or_else(|| Known::between(self.bounds(expr)))
+            }
         }
     }
 }

@@ -9,22 +9,18 @@ use bessemer_ir::{Place, StmtKind};
 
 use super::domain::Interval;
 use super::known::Known;
-use super::loops::{Counted, Loop};
+use super::loops::Loop;
 use super::state::{Key, State, key, place_of};
 use super::walk::written_in;
 use bessemer_ir::effects::overlap;
 use bessemer_ir::used::Rule;
 
 impl Loop<'_> {
-    /// Returns such words with their intervals, if something is known about them before; except counted ones, of
-    /// which more is known.
-    pub(super) fn given(&self, before: &State, counted: &[Counted]) -> Vec<(Key, Known)> {
-        let counts = |key: &Key| counted.iter().any(|it| it.key().as_ref() == Some(key));
+    /// Returns such words with their intervals, if something is known about them before.
+    pub(super) fn given(&self, before: &State) -> Vec<(Key, Known)> {
         let written = |place: &Place| self.written.iter().any(|it| overlap(place, it));
         let candidates = before.known.iter().filter_map(|(key, known)| match known {
-            Known::Within(interval) if !counts(key) && written(&place_of(key)) => {
-                Some((key.clone(), *interval))
-            }
+            Known::Within(interval) if written(&place_of(key)) => Some((key.clone(), *interval)),
             _ => None,
         });
         let words: Vec<(Key, Interval)> = candidates.collect();
@@ -92,7 +88,7 @@ impl Loop<'_> {
                 let inside = word.1.strip_prefix(&key(place)?.1[..])?;
                 match parts.iter().find(|(at, _)| at == inside)? {
                     (_, Known::Within(interval)) => all = all.join(*interval),
-                    (_, Known::Float(_)) => return None,
+                    (_, Known::Float(_) | Known::Between(_)) => return None,
                 }
             }
             Some((word.clone(), all))

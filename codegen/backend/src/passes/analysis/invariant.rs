@@ -52,7 +52,19 @@ impl State<'_> {
                 mine.high = if high { mine.high } else { i128::MAX };
                 low || high
             }
-            (Known::Float(mine), Some(Known::Float(other))) => mine.to_bits() == other.to_bits(),
+            (mine, Some(other)) => match (mine.bounds(), other.bounds()) {
+                _ if *mine == *other => true,
+                (Some(before), Some(after)) => {
+                    let wider = before.widened(after);
+                    kept &= wider == before;
+                    match Known::between(wider) {
+                        Some(wider) => *mine = wider,
+                        None => return false,
+                    }
+                    true
+                }
+                _ => false,
+            },
             _ => false,
         });
         self.relations.join(&next.relations);

@@ -2,6 +2,7 @@
 //!
 //! Must not know: the place of the word, or the origin of a fact.
 
+use super::bounds::Bounds;
 use super::domain::Interval;
 
 /// Pseudo-field of a [`Key`](super::state::Key) that denotes the normalised variant of the enum.
@@ -14,6 +15,33 @@ pub(crate) enum Known {
     Within(Interval),
     /// The word is this float, and not a NaN.
     Float(f64),
+    /// The word is a float between these bounds.
+    Between(Bounds),
+}
+
+impl Known {
+    /// Returns the bounds of a float.
+    pub(super) fn bounds(self) -> Option<Bounds> {
+        match self {
+            Known::Within(_) => None,
+            Known::Float(value) => Some(Bounds::one(value)),
+            Known::Between(bounds) => Some(bounds),
+        }
+    }
+
+    /// Returns what holds of a word of which this or `other` does; none if that is nothing.
+    pub(super) fn or(self, other: Known) -> Option<Known> {
+        match (self, other) {
+            (Known::Within(a), Known::Within(b)) => Some(Known::Within(a.join(b))),
+            (Known::Float(a), Known::Float(b)) if a.to_bits() == b.to_bits() => Some(self),
+            _ => Known::between(self.bounds()?.join(other.bounds()?)),
+        }
+    }
+
+    /// Returns the fact that a float has these bounds; none if every float has.
+    pub(super) fn between(bounds: Bounds) -> Option<Known> {
+        (bounds != Bounds::ANY).then_some(Known::Between(bounds))
+    }
 }
 
 /// Facts about the words in a value, each with the fields that lead to it.

@@ -4,9 +4,9 @@
 //!
 //! * Nothing is known about places that the body writes, except:
 //! * **A counter** (`for`): its bounds do not change during the loop, and in the body it lies between them.
-//! * **A local that only counts up**: every write in the body adds a number that is not negative. Each pass adds at most
-//!   the sum along one path, where an inner loop counts with its number of passes; so at the head of pass `k` at most
-//!   `k` times that was added.
+//! * **A local that is only counted**: every write in the body adds to it, or subtracts. Each pass moves it at most by
+//!   the sum along one path, where an inner loop counts with its number of passes; so at the head of pass `k` it has
+//!   moved at most `k` times that.
 //! * **A word with assigned values only**: [`given`](super::given).
 //! * **A loop that its body ends** has no counter, and its bounds change: an [`invariant`](super::invariant) is
 //!   computed instead. Behind it holds what each `break` leaves.
@@ -15,7 +15,7 @@ use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, St
 
 use super::domain::Interval;
 use super::known::Known;
-use super::state::{self, Key, State};
+use super::state::{Key, State};
 use bessemer_ir::effects::{lent, overlap, whole, writes};
 use bessemer_ir::used::Rule;
 
@@ -33,27 +33,19 @@ pub(crate) struct Loop<'a> {
     pub(crate) body: &'a Block,
 }
 
-/// A local that only counts up, with its value before the loop.
+/// A local that is only counted, with its value before the loop.
 pub(super) struct Counted {
     local: Expr,
     before: Interval,
-    /// Largest sum that a pass adds.
-    more: i128,
+    /// Sums that a pass adds, along any part of a path.
+    more: Interval,
 }
 
 impl Counted {
-    pub(super) fn key(&self) -> Option<Key> {
-        match &self.local.kind {
-            ExprKind::Load(place) => state::key(place),
-            _ => None,
-        }
-    }
-
-    /// Records its upper bound after this number of passes.
+    /// Records its bounds after this number of passes.
     fn bound(&self, passes: i128, state: &mut State) {
         Rule::Counted.used();
-        let high = self.before.high.saturating_add(self.more.saturating_mul(passes));
-        state.bound(&self.local, Interval { low: self.before.low, high });
+        state.bound(&self.local, self.before.add(times(self.more, passes)));
     }
 }
 
@@ -71,13 +63,13 @@ impl Loop<'_> {
         }
         let ranges = (state.range(self.from), state.range(self.to));
         let counted = self.counted(state);
-        let given = self.given(state, &counted);
+        let given = self.given(state);
         let behind = self.beyond(state, &counted, &given);
         self.head(state);
+        state.known.extend(given);
         for local in counted {
             local.bound((passes(ranges, self.inclusive) - 1).max(0), state);
         }
-        state.known.extend(given);
         behind
     }
 
@@ -85,10 +77,7 @@ impl Loop<'_> {
     pub(super) fn behind<'m>(&self, before: &State<'m>) -> State<'m> {
         match self.ended {
             true => self.beyond(before, &[], &[]),
-            false => {
-                let counted = self.counted(before);
-                self.beyond(before, &counted, &self.given(before, &counted))
-            }
+            false => self.beyond(before, &self.counted(before), &self.given(before)),
         }
     }
 
@@ -101,8 +90,8 @@ impl Loop<'_> {
         let most = passes((before.range(self.from), before.range(self.to)), self.inclusive);
         let mut behind = before.clone();
         self.forget(&mut behind);
-        counted.iter().for_each(|local| local.bound(most, &mut behind));
         behind.known.extend(given.iter().cloned());
+        counted.iter().for_each(|local| local.bound(most, &mut behind));
         behind
     }
 
@@ -126,7 +115,7 @@ impl Loop<'_> {
         state.forget(self.written);
     }
 
-    /// Returns the locals that the loop only counts up, if something is known about them before.
+    /// Returns the locals that the loop only counts, if something is known about them before.
     fn counted(&self, before: &State) -> Vec<Counted> {
         let mut head = before.clone();
         self.forget(&mut head);
@@ -149,33 +138,35 @@ fn passes((from, to): (Interval, Interval), inclusive: bool) -> i128 {
     to.high.saturating_sub(from.low).saturating_add(i128::from(inclusive)).max(0)
 }
 
-/// Returns the largest sum that statements add to a local; none if they write it otherwise.
-fn increase(stmts: &[Stmt], local: LocalId, state: &State) -> Option<i128> {
+/// Returns the sums that parts of a path through statements add to a local; no part adds 0. There are none if the
+/// statements write it otherwise.
+fn increase(stmts: &[Stmt], local: LocalId, state: &State) -> Option<Interval> {
     let of_block = |block: &Block| increase(&block.0, local, state);
-    let mut sum = 0i128;
+    let nothing = Interval::one(0);
+    let mut sum = nothing;
     for stmt in stmts {
         let added = match &stmt.kind {
             StmtKind::Assign { place, value } if place.root == local => added(place, value, state)?,
             StmtKind::If { condition, then, otherwise } if is_left(condition, local) => {
-                of_block(then)?.max(of_block(otherwise)?)
+                of_block(then)?.join(of_block(otherwise)?)
             }
             StmtKind::Match { scrutinee, arms, otherwise } if is_left(scrutinee, local) => {
-                let mut most = otherwise.as_ref().map_or(Some(0), of_block)?;
+                let mut all = otherwise.as_ref().map_or(Some(nothing), of_block)?;
                 for arm in arms {
-                    most = most.max(of_block(&arm.body)?);
+                    all = all.join(of_block(&arm.body)?);
                 }
-                most
+                all
             }
             StmtKind::For { from, to, inclusive, ended: false, body, .. }
                 if is_left(from, local) && is_left(to, local) =>
             {
                 let passes = passes((state.range(from), state.range(to)), *inclusive);
-                of_block(body)?.saturating_mul(passes)
+                times(of_block(body)?, passes)
             }
             _ if writes([stmt]).iter().any(|place| overlap(place, &whole(local))) => return None,
-            _ => 0,
+            _ => nothing,
         };
-        sum = sum.saturating_add(added);
+        sum = sum.add(added.join(nothing));
     }
     Some(sum)
 }
@@ -185,14 +176,24 @@ fn is_left(expr: &Expr, local: LocalId) -> bool {
     !lent(expr).iter().any(|place| place.root == local)
 }
 
-/// Returns the largest number that `local = local + number` adds, in a state that holds throughout the loop.
-fn added(place: &Place, value: &Expr, state: &State) -> Option<i128> {
-    let ExprKind::Binary(BinaryOp::Add, a, b) = &value.kind else { return None };
+/// Returns the sums of up to this number of passes, each with a sum in the interval.
+fn times(sum: Interval, passes: i128) -> Interval {
+    let end = |end: i128| end.saturating_mul(passes);
+    Interval::new(end(sum.low.min(0)), end(sum.high.max(0)))
+}
+
+/// Returns the numbers that `local = local + number` adds or `local = local - number` subtracts, in a state that holds
+/// throughout the loop.
+fn added(place: &Place, value: &Expr, state: &State) -> Option<Interval> {
+    let ExprKind::Binary(op, a, b) = &value.kind else { return None };
     let ExprKind::Load(from) = &a.kind else { return None };
     let same = place.steps.is_empty() && from.steps.is_empty() && from.root == place.root;
     if !same || b.ty.as_int().is_none() || !is_left(b, place.root) {
         return None;
     }
-    let Interval { low, high } = state.range(b);
-    (low >= 0).then_some(high)
+    match op {
+        BinaryOp::Add => Some(state.range(b)),
+        BinaryOp::Sub => Some(Interval::one(0).sub(state.range(b))),
+        _ => None,
+    }
 }

@@ -24,6 +24,7 @@
 //! Must not know: which checks are emitted (`faults` queries the analysis), how statements are rewritten, C.
 
 mod assume;
+mod bounds;
 mod defined;
 mod domain;
 mod evaluate;

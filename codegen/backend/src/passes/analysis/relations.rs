@@ -7,7 +7,8 @@
 use std::collections::HashSet;
 use std::rc::Rc;
 
-use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LogicOp, Place};
+use bessemer_ir::visit::Walk as _;
+use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, LogicOp, Place};
 
 use super::glance::{Glance, bit};
 use crate::passes::places::erased;
@@ -78,52 +79,18 @@ impl Relations {
         alike.any(|it| gives(&it.condition, &condition, &fails))
     }
 
-    /// Returns true if an index is below the length of a slice because of another value. Cases: `i < to <= length`;
-    /// `i + 1` with `i < to < length`, or in a loop up to `max(length, 1) - 1`; `i - 1`, already checked, with
-    /// `i < length`; and `length - 1` itself. The length is a slice's, or the smaller of two.
-    pub(super) fn below_length(&self, condition: &Expr, fails: impl Fn(&Expr) -> bool) -> bool {
-        let condition = erased(condition);
-        let ExprKind::Compare(CompareOp::Lt, index, length) = &condition.kind else { return false };
-        let is_length = match &length.kind {
-            ExprKind::Load(place) => place.steps.is_empty(),
-            ExprKind::Intrinsic(Intrinsic::Min, _) => true,
-            _ => false,
-        };
-        if !is_length {
-            return false;
-        }
-        let (base, further) = match &index.kind {
-            ExprKind::Binary(BinaryOp::Add, base, more) => match more.kind {
-                ExprKind::Literal(more) => (base, more),
-                _ => (index, 0),
-            },
-            ExprKind::Binary(BinaryOp::Sub, base, less)
-                if let ExprKind::Literal(less) = less.kind
-                    && base.ty.as_int().is_some_and(|int| !int.signed()) =>
-            {
-                if base == length && less > 0 {
-                    return true;
-                }
-                (base, 0)
+    /// Returns each number that is known to be at least `number`; or, with 1, at least one more.
+    pub(super) fn above(&self, number: &Expr) -> impl Iterator<Item = (&Expr, i128)> {
+        let mut roots = 0;
+        number.each_place(|place, _| roots |= bit(place.root));
+        let about = self.0.iter().filter(move |it| roots != 0 && it.glance.roots & roots == roots);
+        about.filter_map(move |it| match &it.condition.kind {
+            ExprKind::Compare(CompareOp::Lt, a, b) if **a == *number => Some((&**b, 1)),
+            ExprKind::Compare(CompareOp::Le | CompareOp::Eq, a, b) if **a == *number => {
+                Some((&**b, 0))
             }
-            _ => (index, 0),
-        };
-        self.0.iter().any(|it| match &it.condition.kind {
-            ExprKind::Compare(CompareOp::Lt, a, end) if a == base => {
-                let by = match further {
-                    0 => Some(CompareOp::Le),
-                    1 => Some(CompareOp::Lt),
-                    _ => None,
-                };
-                let up_to = by.is_some_and(|op| {
-                    let kind = ExprKind::Compare(op, end.clone(), length.clone());
-                    self.give(&Expr { kind, ..condition.clone() }, &fails)
-                });
-                up_to
-                    || further == 0 && end == length
-                    || short_of(end, length).is_some_and(|short| further <= short)
-            }
-            _ => false,
+            ExprKind::Compare(CompareOp::Eq, a, b) if **b == *number => Some((&**a, 0)),
+            _ => None,
         })
     }
 }
@@ -155,19 +122,6 @@ fn implies(fact: &Expr, condition: &Expr) -> bool {
         CompareOp::Le => same && matches!(known, CompareOp::Lt | CompareOp::Le),
         CompareOp::Ne => (same || turned) && matches!(known, CompareOp::Lt | CompareOp::Ne),
         _ => same && known == op,
-    }
-}
-
-/// Returns how much less than the length `max(length, n) - n` is, where any index is below it.
-fn short_of(end: &Expr, length: &Expr) -> Option<u64> {
-    let ExprKind::Binary(BinaryOp::Sub, most, short) = &end.kind else { return None };
-    let ExprKind::Intrinsic(Intrinsic::Max, operands) = &most.kind else { return None };
-    // Of nothing below 0 there is nothing below `n - n`.
-    let unsigned = length.ty.as_int().is_some_and(|int| !int.signed());
-    let same = operands.first() == Some(length) && operands.get(1) == Some(short) && unsigned;
-    match short.kind {
-        ExprKind::Literal(short) if same => Some(short),
-        _ => None,
     }
 }
 

@@ -145,13 +145,9 @@ impl<'m> State<'m> {
 
     /// Keeps the facts that hold here and in `other`.
     pub(crate) fn join(&mut self, other: &State<'m>) {
-        self.known.retain(|key, known| match (*known, other.known.get(key)) {
-            (Known::Within(a), Some(Known::Within(b))) => {
-                *known = Known::Within(a.join(*b));
-                true
-            }
-            (Known::Float(a), Some(Known::Float(b))) => a.to_bits() == b.to_bits(),
-            _ => false,
+        self.known.retain(|key, known| {
+            let both = other.known.get(key).and_then(|other| known.or(*other));
+            both.inspect(|both| *known = *both).is_some()
         });
         self.relations.join(&other.relations);
     }

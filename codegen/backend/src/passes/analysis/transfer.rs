@@ -170,10 +170,6 @@ impl Interval {
             (Intrinsic::RemEuclid, [_, by]) => {
                 all.meet(Interval { low: 0, high: (by.magnitude() - 1).max(0) })
             }
-            // No type is wider.
-            (Intrinsic::CountOnes | Intrinsic::LeadingZeros | Intrinsic::TrailingZeros, _) => {
-                all.meet(Interval { low: 0, high: 64 })
-            }
             _ => all,
         }
     }

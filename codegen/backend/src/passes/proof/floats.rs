@@ -4,11 +4,12 @@
 //! symbol are true wherever it is known, since its value never changes. Sums, products and quotients have limits if
 //! those of their operands are finite, so that a NaN comes of a NaN alone; their ends are rounded as the operation is.
 
-use bessemer_ir::{BinaryOp, Float, Intrinsic, Type, UnaryOp};
+use bessemer_ir::{BinaryOp, CompareOp, Float, Intrinsic, Type, UnaryOp};
 
 use super::knowledge::Bounds;
 use super::limits::{Limits, rounded};
-use super::values::{Value, Values};
+use super::linear::Symbol;
+use super::values::{Point, Value, Values};
 
 impl Values<'_> {
     pub(super) fn limits(&self, value: &Value) -> Limits {
@@ -19,6 +20,31 @@ impl Values<'_> {
             }
             _ => Limits::UNKNOWN,
         }
+    }
+
+    /// Returns the limits of a float at a point, also by the comparisons with it that hold there.
+    pub(super) fn limits_here(&self, point: &Point, value: &Value) -> Limits {
+        let mut limits = self.limits(value);
+        let Value::Float(symbol, None) = value else { return limits };
+        for (is, (op, a, b)) in &self.compared {
+            let about = a != b && [a, b].contains(&symbol);
+            if !about || point.knowledge.of(*is, &self.all) != (1, 1) {
+                continue;
+            }
+            // A comparison that holds has no NaN.
+            limits.or_nan = false;
+            let other = |of: &Symbol| self.limits.get(of).copied().unwrap_or(Limits::UNKNOWN);
+            match op {
+                CompareOp::Lt if a == symbol => {
+                    limits.most = limits.most.min(other(b).most.next_down())
+                }
+                CompareOp::Lt => limits.least = limits.least.max(other(a).least.next_up()),
+                CompareOp::Le if a == symbol => limits.most = limits.most.min(other(b).most),
+                CompareOp::Le => limits.least = limits.least.max(other(a).least),
+                _ => {}
+            }
+        }
+        limits
     }
 
     /// Adds limits to a value, if it is an unknown float.

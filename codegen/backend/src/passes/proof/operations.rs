@@ -95,7 +95,9 @@ impl Values<'_> {
                 };
                 let mut is = |op| {
                     let of = vec![Value::Float(first, None), Value::Float(second, None)];
-                    Formula::Is(self.made(Origin::Compare(op), of, (0, 1)), true)
+                    let symbol = self.made(Origin::Compare(op), of, (0, 1));
+                    self.compared.insert(symbol, (op, first, second));
+                    Formula::Is(symbol, true)
                 };
                 match op {
                     // `a < b` implies `a <= b`.
@@ -159,7 +161,7 @@ impl Values<'_> {
                 Some(Value::Number(Linear::symbol(self.made(origin, vec![value], (0, 1)))))
             }
             (Value::Float(..), _) => {
-                let bounds = self.limits(&value).numbers(int);
+                let bounds = self.limits_here(point, &value).numbers(int);
                 let symbol = self.made(Origin::Cast(ty.clone()), vec![value], bounds_of(int));
                 point.knowledge.refine(symbol, bounds, &self.all);
                 Some(Value::Number(Linear::symbol(symbol)))
@@ -460,7 +462,15 @@ impl Values<'_> {
             }
             Intrinsic::AbsDiff => (0, (p.1 - q.0).abs().max((q.1 - p.0).abs())),
             Intrinsic::RemEuclid => (0, q.0.abs().max(q.1.abs()) - 1),
-            Intrinsic::CountOnes | Intrinsic::LeadingZeros | Intrinsic::TrailingZeros => (0, 64),
+            Intrinsic::CountOnes | Intrinsic::LeadingZeros | Intrinsic::TrailingZeros => {
+                let counted = match &expr.kind {
+                    bessemer_ir::ExprKind::Intrinsic(_, of) => {
+                        of.first().and_then(|it| it.ty.as_int())
+                    }
+                    _ => None,
+                };
+                (0, counted.map_or(64, |int| int.bits().into()))
+            }
             _ => all,
         };
         let found = (found.0.clamp(all.0, all.1), found.1.clamp(all.0, all.1));

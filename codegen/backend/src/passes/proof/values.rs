@@ -4,7 +4,7 @@
 //! reported before the operation's value is computed; afterwards the operation has not faulted, so its result is
 //! exact.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use bessemer_ir::visit::{Access, VisitMut, walk_expr_mut, walk_place_mut};
 use bessemer_ir::{
@@ -102,6 +102,8 @@ pub(super) struct Values<'m> {
     /// Bounds of each symbol by its type.
     pub(super) all: Vec<Bounds>,
     origins: HashMap<(Origin, Vec<Value>), Symbol>,
+    /// Comparisons of two floats, by the symbol that is 1 where they hold.
+    pub(super) compared: BTreeMap<Symbol, (CompareOp, Symbol, Symbol)>,
     /// Limits of floats that are known.
     pub(super) limits: HashMap<Symbol, Limits>,
     pub(super) versions: u32,
@@ -122,8 +124,9 @@ impl<'m> Values<'m> {
         shown: &'m [Returns],
     ) -> Values<'m> {
         let (all, origins, open) = (Vec::new(), HashMap::new(), Vec::new());
-        let (limits, versions, quiet) = (HashMap::new(), 0, false);
-        Values { module, function, shown, all, origins, limits, versions, open, quiet }
+        let (compared, limits) = (BTreeMap::new(), HashMap::new());
+        let (versions, quiet) = (0, false);
+        Values { module, function, shown, all, origins, compared, limits, versions, open, quiet }
     }
 
     /// Returns the summary of a function; an empty one if it does not precede this one.
@@ -369,6 +372,9 @@ impl<'m> Values<'m> {
     pub(super) fn float(&mut self, value: f64) -> Value {
         let bits = value.to_bits();
         let symbol = self.made(Origin::Float(bits), Vec::new(), (0, 0));
+        if !value.is_nan() {
+            self.limits.insert(symbol, Limits::of([value], false));
+        }
         Value::Float(symbol, (!value.is_nan()).then_some(bits))
     }
 
