@@ -3,17 +3,19 @@
 //! The body is ordinary Rust of the author's module, so that rustc compiles it for the simulation, and the generator for
 //! the C. It is compared by its tokens: the author may format it and add comments.
 //!
-//! Invariant: nothing but the text between the braces of such a function changes.
+//! Invariants: nothing but the text between the braces of such a function changes; the body does not depend on the layout
+//! of matrices in the C.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::str::FromStr;
 
-use bessemer_derivative::{Problem, Request};
+use bessemer_derivative::{Kind, Problem, Request};
 use bessemer_frontend::diagnostic::Diagnostic;
 use bessemer_frontend::source::Sources;
 use bessemer_frontend::typify;
 use bessemer_ir::tree::{self, Derivative, Package, Site};
-use bessemer_ir::{FunctionId, Module};
+use bessemer_ir::visit::{self, Visit};
+use bessemer_ir::{Expr, ExprKind, FunctionId, Module};
 use proc_macro2::{Delimiter, LineColumn, TokenStream, TokenTree};
 
 use crate::deep::deep;
@@ -34,11 +36,7 @@ pub struct Edit {
 /// # Errors
 ///
 /// Functions without a derivative, at the author's lines.
-pub fn edits(
-    package: &Package,
-    sources: &Sources,
-    columns: bool,
-) -> Result<Vec<Edit>, Vec<Diagnostic>> {
+pub fn edits(package: &Package, sources: &Sources) -> Result<Vec<Edit>, Vec<Diagnostic>> {
     let declared =
         package.functions.iter().filter_map(|it| Some((it, it.tree.derivative.as_ref()?)));
     let declared: Vec<(&tree::Function, &Derivative)> = declared.collect();
@@ -46,12 +44,21 @@ pub fn edits(
         return Ok(Vec::new());
     }
     deep(|| {
-        let (module, _) = typify::typify(package, sources, columns)?;
+        let (mut module, _) = typify::typify(package, sources, true)?;
         let mut errors = Vec::new();
-        let mut bodies: BTreeMap<&str, Vec<(Site, String)>> = BTreeMap::new();
+        let mut requests = Vec::new();
         for (function, derivative) in declared {
-            match body(&module, function, derivative) {
-                Ok(body) => {
+            match request(&module, function, derivative) {
+                Ok(request) => requests.push((function, derivative, request)),
+                Err(more) => errors.extend(more),
+            }
+        }
+        let mut bodies: BTreeMap<&str, Vec<(Site, String)>> = BTreeMap::new();
+        while !requests.is_empty() {
+            let (function, derivative, request) = requests.remove(next(&module, &requests));
+            match derived(module.clone(), (function, derivative), &request) {
+                Ok((with, body)) => {
+                    module = with;
                     bodies.entry(&function.file).or_default().push((function.tree.site, body));
                 }
                 Err(more) => errors.extend(more),
@@ -69,22 +76,78 @@ pub fn edits(
     })
 }
 
-/// Returns the body of a declared derivative.
-fn body(
+fn in_file(file: &str, site: Site, message: String, help: &str) -> Vec<Diagnostic> {
+    vec![Diagnostic {
+        file: file.to_owned(),
+        line: site.0,
+        column: site.1,
+        message,
+        help: help.to_owned(),
+        ..Diagnostic::default()
+    }]
+}
+
+/// Returns the index of a request whose function calls no function with a body that is still to be written. If each does, the
+/// first.
+fn next(module: &Module, requests: &[(&tree::Function, &Derivative, Request)]) -> usize {
+    let is_ready = |(_, _, request): &(&tree::Function, &Derivative, Request)| {
+        let mut called = Called { module, found: BTreeSet::new() };
+        called.function(request.of);
+        requests.iter().all(|(_, _, other)| !called.found.contains(&other.into.0))
+    };
+    requests.iter().position(is_ready).unwrap_or_default()
+}
+
+/// Functions that a function calls, and itself.
+struct Called<'m> {
+    module: &'m Module,
+    found: BTreeSet<u32>,
+}
+
+impl Called<'_> {
+    fn function(&mut self, id: FunctionId) {
+        if self.found.insert(id.0) {
+            let module = self.module;
+            self.block(&module.functions[id.index()].body);
+        }
+    }
+}
+
+impl Visit for Called<'_> {
+    fn expr(&mut self, expr: &Expr) {
+        if let ExprKind::Call(callee, _) = expr.kind {
+            self.function(callee);
+        }
+        visit::walk_expr(self, expr);
+    }
+}
+
+/// Returns the module with a derivative in place of its declaration, and its body.
+fn derived(
+    module: Module,
+    (function, derivative): (&tree::Function, &Derivative),
+    request: &Request,
+) -> Result<(Module, String), Vec<Diagnostic>> {
+    let found = bessemer_derivative::derivative(&module, request);
+    let (mut with, derived) = found.map_err(|problem| {
+        let Problem { span, message, help } = problem;
+        let file = module.files.get(span.file as usize).cloned();
+        match file.filter(|file| span.line > 0 && !file.starts_with('/')) {
+            Some(file) => in_file(&file, Site(span.line, span.column), message, &help),
+            None => in_file(&function.file, derivative.site, message, &help),
+        }
+    })?;
+    let body = bessemer_derivative::body(&with, &derived);
+    with.functions[request.into.index()] = derived;
+    Ok((with, body))
+}
+
+/// Returns the request of a declared derivative.
+fn request(
     module: &Module,
     function: &tree::Function,
     derivative: &Derivative,
-) -> Result<String, Vec<Diagnostic>> {
-    let in_file = |file: &str, site: Site, message: String, help: &str| {
-        vec![Diagnostic {
-            file: file.to_owned(),
-            line: site.0,
-            column: site.1,
-            message,
-            help: help.to_owned(),
-            ..Diagnostic::default()
-        }]
-    };
+) -> Result<Request, Vec<Diagnostic>> {
     let at = |site, message, help: &str| in_file(&function.file, site, message, help);
     let path = derivative.of.join("::");
     let into = named(module, &function.module, &function.tree.name);
@@ -126,16 +189,8 @@ fn body(
         };
         by.push(index);
     }
-    let request = Request { of, by, into: *into };
-    let (with, derived) = bessemer_derivative::derivative(module, &request).map_err(|problem| {
-        let Problem { span, message, help } = problem;
-        let file = module.files.get(span.file as usize).cloned();
-        match file.filter(|file| span.line > 0 && !file.starts_with('/')) {
-            Some(file) => in_file(&file, Site(span.line, span.column), message, &help),
-            None => at(derivative.site, message, &help),
-        }
-    })?;
-    Ok(bessemer_derivative::body(&with, &derived))
+    let kind = if derivative.is_gradient { Kind::Gradients } else { Kind::Jacobians };
+    Ok(Request { of, by, kind, into: *into })
 }
 
 /// Returns the free functions of a name in a module.

@@ -76,7 +76,7 @@ fn the_stored_trees_are_those_of_the_programs() {
 /// Bodies of derivatives are those that the generator writes. After a renewal their IR is stale: renew twice.
 #[test]
 fn the_derivatives_are_those_of_the_functions() {
-    let edits = derivatives::edits(&PACKAGE, &Sources::new(root()), false);
+    let edits = derivatives::edits(&PACKAGE, &Sources::new(root()));
     let edits = edits.unwrap_or_else(|errors| panic!("{errors:?}"));
     let differences = edits.iter().filter_map(|it| differs(&root().join(&it.file), &it.after));
     none(&differences.collect::<Vec<_>>());

@@ -10,7 +10,7 @@ pub fn clean(function: &mut Function) {
     loop {
         let mut reads = Reads::default();
         reads.block(&function.body);
-        if !swept(&mut function.body, &reads.0, function.params) {
+        if !swept(&mut function.body, &reads, function.params) {
             break;
         }
     }
@@ -38,51 +38,72 @@ fn name(function: &mut Function) {
     }
 }
 
+/// Locals that are read, and those that calls change.
 #[derive(Default)]
-struct Reads(BTreeSet<LocalId>);
+struct Reads {
+    read: BTreeSet<LocalId>,
+    changed_by_calls: BTreeSet<LocalId>,
+}
+
+impl Reads {
+    /// Returns true if a call changes a local that is read.
+    fn lends(&self, expr: &Expr) -> bool {
+        let mut own = Reads::default();
+        own.expr(expr);
+        own.changed_by_calls.iter().any(|local| self.read.contains(local))
+    }
+}
 
 impl Visit for Reads {
     fn place(&mut self, place: &Place, access: Access) {
-        if access != Access::Write {
-            self.0.insert(place.root);
-        }
+        match access {
+            Access::Read => self.read.insert(place.root),
+            Access::Lend => self.changed_by_calls.insert(place.root),
+            Access::Write => false,
+        };
         visit::walk_place(self, place);
     }
 }
 
 /// Removes statements whose results nothing reads; returns true if it found one.
-fn swept(block: &mut Block, read: &BTreeSet<LocalId>, params: u32) -> bool {
+fn swept(block: &mut Block, reads: &Reads, params: u32) -> bool {
+    let Reads { read, changed_by_calls } = reads;
     let before = block.0.len();
     let mut changed = false;
     block.0.retain_mut(|stmt: &mut Stmt| match &mut stmt.kind {
         StmtKind::Let { local, value } => {
-            read.contains(local) || value.as_ref().is_some_and(may_fault)
+            let needed = |it: &Expr| may_fault(it) || reads.lends(it);
+            read.contains(local)
+                || changed_by_calls.contains(local)
+                || value.as_ref().is_some_and(needed)
         }
         StmtKind::Assign { place, value } => {
             place.root.0 < params
                 || read.contains(&place.root)
+                || changed_by_calls.contains(&place.root)
                 || may_fault(value)
                 || place_may_fault(place)
         }
         StmtKind::If { condition, then, otherwise } => {
-            changed |= swept(then, read, params);
-            changed |= swept(otherwise, read, params);
+            changed |= swept(then, reads, params);
+            changed |= swept(otherwise, reads, params);
             !then.0.is_empty() || !otherwise.0.is_empty() || may_fault(condition)
         }
         StmtKind::Match { arms, otherwise, .. } => {
             for arm in arms.iter_mut() {
-                changed |= swept(&mut arm.body, read, params);
+                changed |= swept(&mut arm.body, reads, params);
             }
             if let Some(otherwise) = otherwise {
-                changed |= swept(otherwise, read, params);
+                changed |= swept(otherwise, reads, params);
             }
             let empty = |block: &Block| block.0.is_empty();
             !arms.iter().all(|arm| empty(&arm.body)) || !otherwise.as_ref().is_none_or(empty)
         }
         StmtKind::For { from, to, body, .. } => {
-            changed |= swept(body, read, params);
+            changed |= swept(body, reads, params);
             !body.0.is_empty() || may_fault(from) || may_fault(to)
         }
+        StmtKind::Expr(expr) => may_fault(expr) || reads.lends(expr),
         _ => true,
     });
     changed || block.0.len() != before

@@ -7,6 +7,7 @@ use bessemer_ir::visit::{self, Visit};
 use bessemer_ir::{Block, Expr, LocalId, Mode, Span, Stmt, StmtKind};
 
 use crate::expression::literal;
+use crate::join::Branch;
 use crate::run::{Env, Frame, Run};
 use crate::value::{Value, Word};
 use crate::{Problem, Result};
@@ -123,12 +124,14 @@ impl Run<'_> {
                         return self.run(frame, env, &block.0, Some(&tail), stop);
                     }
                     let blocks = [then, otherwise];
+                    let test = Some(condition.clone());
                     let write = |mut sides: Vec<Block>| {
                         let otherwise = sides.pop().unwrap_or_default();
                         let then = sides.pop().unwrap_or_default();
                         StmtKind::If { condition, then, otherwise }
                     };
-                    return self.choose(frame, env, &blocks, &tail, stop, stmt.span, write);
+                    let of = (test, stmt.span);
+                    return self.choose(frame, env, &blocks, &tail, stop, of, write);
                 }
                 StmtKind::Match { scrutinee, arms, otherwise } => {
                     let scrutinee = self.scalar(frame, env, scrutinee)?;
@@ -149,7 +152,8 @@ impl Run<'_> {
                         });
                         StmtKind::Match { scrutinee, arms: arms.collect(), otherwise }
                     };
-                    return self.choose(frame, env, &blocks, &tail, stop, stmt.span, write);
+                    let of = (None, stmt.span);
+                    return self.choose(frame, env, &blocks, &tail, stop, of, write);
                 }
                 StmtKind::For { variable, from, to, inclusive, reversed, body, ended, .. } => {
                     let from = self.scalar(frame, env, from)?;
@@ -277,7 +281,7 @@ impl Run<'_> {
         blocks: &[&Block],
         tail: &Node<'_>,
         stop: usize,
-        span: Span,
+        (condition, span): (Option<Expr>, Span),
         write: impl FnOnce(Vec<Block>) -> StmtKind,
     ) -> Result<()> {
         let mut leaves = Leaves::default();
@@ -293,6 +297,7 @@ impl Run<'_> {
             Some(tail)
         };
         let name = self.name.clone();
+        let branch = Branch { condition, locals: self.locals.len(), span };
         let mut sides = Vec::new();
         for block in blocks {
             let mut side = env.clone();
@@ -307,7 +312,7 @@ impl Run<'_> {
             })?;
             sides.push((written.0, side));
         }
-        *env = self.join(frame, env, sides, span, write)?;
+        *env = self.join(frame, env, sides, &branch, write)?;
         if env.ended {
             return Ok(());
         }

@@ -1,8 +1,8 @@
 //! Expressions: values with derivatives, and calls.
 
 use bessemer_ir::{
-    Argument, BinaryOp, Expr, ExprKind, Function, FunctionId, KernelRoutine, LocalId, Routine,
-    Span, StmtKind, Type, UnaryOp,
+    Argument, BinaryOp, Expr, ExprKind, Function, FunctionId, LocalId, Span, StmtKind, Type,
+    UnaryOp,
 };
 
 use crate::run::{Env, Frame, Run};
@@ -21,7 +21,10 @@ pub fn literal(expr: &Expr) -> Option<i128> {
 impl Run<'_> {
     /// Returns the value of an expression that has no derivative: a number that is no float, a boolean, an enum.
     pub fn scalar(&mut self, frame: Frame<'_>, env: &mut Env, expr: &Expr) -> Result<Expr> {
-        Ok(self.word(frame, env, expr)?.value)
+        self.compared += 1;
+        let word = self.word(frame, env, expr);
+        self.compared -= 1;
+        Ok(word?.value)
     }
 
     /// Returns the value of an expression of one word.
@@ -133,6 +136,7 @@ impl Run<'_> {
             }
             ExprKind::Splat(operand) => {
                 let value = self.value(frame, env, operand)?;
+                let value = self.plain(value, expr.span)?;
                 let name = self.name.clone();
                 let value = self.held(value, &name);
                 let count = match &expr.ty {
@@ -163,8 +167,8 @@ impl Run<'_> {
     ) -> Result<Value> {
         let module = self.module;
         let function = &module.functions[callee.index()];
-        if let Some(kernel) = &function.kernel {
-            return self.kernel(frame, env, kernel.routine, arguments, expr);
+        if function.kernel.is_some() {
+            return self.kernel(frame, env, callee, arguments, expr);
         }
         if function.attributes.external.is_some() {
             return Err(Problem::new(
@@ -213,7 +217,15 @@ impl Run<'_> {
         (env, borrowed): (&mut Env, Vec<(LocalId, crate::place::Route)>),
         span: Span,
     ) -> Result<Value> {
-        let inner = self.function(function, inner).map_err(|problem| match problem.span.file {
+        let compared = std::mem::take(&mut self.compared);
+        let mut inner = inner;
+        let inner = match self.factored(function, (&mut inner, span)) {
+            Ok(Some(result)) => Ok(Env { result: Some(result), ..inner }),
+            Ok(None) => self.function(function, inner),
+            Err(problem) => Err(problem),
+        };
+        self.compared = compared;
+        let inner = inner.map_err(|problem| match problem.span.file {
             // A place in another file is of no help; the call is.
             file if file != span.file => Problem { span, ..problem },
             _ => problem,
@@ -224,57 +236,6 @@ impl Run<'_> {
             }
         }
         Ok(inner.result.unwrap_or(Value::Parts(Vec::new())))
-    }
-
-    /// Returns the value of a kernel. Only products have derivatives.
-    fn kernel(
-        &mut self,
-        frame: Frame<'_>,
-        env: &mut Env,
-        routine: KernelRoutine,
-        arguments: &[Argument],
-        expr: &Expr,
-    ) -> Result<Value> {
-        let mut operands = Vec::new();
-        for argument in arguments {
-            if let Argument::Value(value) | Argument::Ref(value) = argument {
-                operands.push((self.value(frame, env, value)?, value.ty.clone()));
-            }
-        }
-        let [a, b] = match <[_; 2]>::try_from(operands) {
-            Ok(two) if matches!(expr.ty, Type::Matrix { .. } | Type::Scalar(_)) => two,
-            _ => {
-                return Err(Problem::new(
-                    expr.span,
-                    "a solution, an inverse or a factor of a matrix has no derivative yet",
-                    "pass it as an argument, or write the solution by elements",
-                ));
-            }
-        };
-        let transposed = |run: &mut Self, (value, ty): (Value, Type)| {
-            let Type::Matrix { element, rows, cols } = ty else { return Ok((value, ty)) };
-            let turned = Type::Matrix { element, rows: cols, cols: rows };
-            let of = Expr { ty: turned.clone(), ..expr.clone() };
-            let value = run.routine(Routine::Transpose, vec![(value, ty)], &of)?;
-            Ok((value, turned))
-        };
-        match routine {
-            KernelRoutine::Product => self.routine(Routine::Product, vec![a, b], expr),
-            KernelRoutine::TrMul => self.routine(Routine::TrMul, vec![a, b], expr),
-            KernelRoutine::ProductTr => {
-                let b = transposed(self, b)?;
-                self.routine(Routine::Product, vec![a, b], expr)
-            }
-            KernelRoutine::TrProduct => {
-                let a = transposed(self, a)?;
-                self.routine(Routine::Product, vec![a, b], expr)
-            }
-            _ => Err(Problem::new(
-                expr.span,
-                "a solution, an inverse or a factor of a matrix has no derivative yet",
-                "pass it as an argument, or write the solution by elements",
-            )),
-        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Differentiates functions of the IR in forward mode, and prints the derivative as Rust.
+//! Differentiates functions of the IR in forward mode, and numbers in reverse mode, and prints the derivative as Rust.
 //!
 //! The function is evaluated on values whose numbers are expressions, each with its derivatives by the variables on
 //! which it depends. Those variables are known for each number, so zeros and ones are never computed. Branches on
@@ -22,9 +22,11 @@ mod join;
 mod linear;
 mod loops;
 mod place;
+mod reverse;
 mod rules;
 mod run;
 mod rust;
+mod solve;
 mod value;
 
 use bessemer_ir::{Expr, ExprKind, Float, Function, FunctionId, Mode, Module, Scalar, Span, Type};
@@ -52,14 +54,25 @@ impl Problem {
     }
 }
 
-/// A request for the value of a function and its Jacobians by some of its parameters.
+/// Derivatives that a function computes besides the value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Jacobians, in forward mode.
+    Jacobians,
+    /// Gradients of a number, in reverse mode. Each has the type of its parameter.
+    Gradients,
+}
+
+/// A request for the value of a function and its derivatives by some of its parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Request {
     /// Differentiated function.
     pub of: FunctionId,
     /// Parameters by which it is differentiated, by their indices.
     pub by: Vec<usize>,
-    /// Function that computes the value and the Jacobians. It has the parameters of `of`.
+    /// The derivatives.
+    pub kind: Kind,
+    /// Function that computes the value and the derivatives. It has the parameters of `of`.
     pub into: FunctionId,
 }
 
@@ -72,7 +85,10 @@ pub struct Request {
 pub fn derivative(module: &Module, request: &Request) -> Result<(Module, Function)> {
     check(module, request)?;
     let mut run = run::Run::new(module, request);
-    let body = run.whole(request)?;
+    let body = match request.kind {
+        Kind::Jacobians => run.whole(request)?,
+        Kind::Gradients => run.gradient(request)?,
+    };
     let declared = &module.functions[request.into.index()];
     let (module, locals) = run.finish();
     let mut function = Function { locals, body, ..declared.clone() };
@@ -109,7 +125,8 @@ fn check(module: &Module, request: &Request) -> Result<()> {
     let fits =
         |(a, b): (&bessemer_ir::Local, &bessemer_ir::Local)| a.ty == b.ty && a.mode == b.mode;
     let mut pairs = of.parameters().iter().zip(into.parameters());
-    let propagates = covariance(module, request).is_some();
+    let gradients = request.kind == Kind::Gradients;
+    let propagates = !gradients && covariance(module, request).is_some();
     if of.params + u32::from(propagates) != into.params || !pairs.all(fits) {
         return Err(Problem::new(
             into.span,
@@ -124,6 +141,13 @@ fn check(module: &Module, request: &Request) -> Result<()> {
             "differentiate a function whose result is a float, a vector, or a struct of them",
         ));
     };
+    if gradients && !of.result.is_word() {
+        return Err(Problem::new(
+            into.span,
+            format!("the result of `{}` is no number, and has no gradient", of.name),
+            format!("write `derivative({}, …)` for its Jacobian", of.name),
+        ));
+    }
     let mut expected = vec![of.result.clone()];
     for &index in &request.by {
         let parameter = &of.parameters()[index];
@@ -134,9 +158,12 @@ fn check(module: &Module, request: &Request) -> Result<()> {
                 "name parameters that are floats, vectors, matrices or structs of them",
             ));
         };
-        expected.push(jacobian(float, rows, cols));
+        expected.push(match gradients {
+            true => parameter.ty.clone(),
+            false => jacobian(float, rows, cols),
+        });
     }
-    if let Some(covariance) = covariance(module, request) {
+    if let Some(covariance) = covariance(module, request).filter(|_| propagates) {
         return propagation(module, request, covariance, rows);
     }
     let declared: Vec<Type> = match &into.result {
@@ -151,8 +178,10 @@ fn check(module: &Module, request: &Request) -> Result<()> {
         return Err(Problem::new(
             into.span,
             format!(
-                "`{}` has another result than the value and the Jacobians of `{}`",
-                into.name, of.name
+                "`{}` has another result than the value and the {} of `{}`",
+                into.name,
+                if gradients { "gradients" } else { "Jacobians" },
+                of.name
             ),
             format!("write `-> ({shown})`"),
         ));

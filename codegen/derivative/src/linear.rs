@@ -1,6 +1,6 @@
 //! Routines of linear algebra on matrices with derivatives, by elements in the order of each routine.
 
-use bessemer_ir::{Expr, ExprKind, Routine, Span, StmtKind, Type};
+use bessemer_ir::{Expr, ExprKind, Intrinsic, Routine, Span, StmtKind, Type};
 
 use crate::run::Run;
 use crate::value::{Value, Word};
@@ -35,11 +35,13 @@ impl Run<'_> {
         operands: Vec<(Value, Type)>,
         expr: &Expr,
     ) -> Result<Value> {
+        let plain = |(value, ty)| Ok((self.plain(value, expr.span)?, ty));
+        let operands = operands.into_iter().map(plain).collect::<Result<Vec<_>>>()?;
         let active = operands.iter().any(|(value, _)| value.is_active());
         if active && EXTREMES.contains(&routine) {
             return self.extreme(routine, operands, expr);
         }
-        if routine == Routine::Transpose || active {
+        if routine == Routine::Transpose || active || self.backwards {
             return self.by_elements(routine, operands, expr);
         }
         let mut whole = Vec::new();
@@ -132,7 +134,21 @@ impl Run<'_> {
                     self.sub(left, right)
                 })
                 .collect(),
-            Routine::Abs | Routine::Inf | Routine::Sup | Routine::Amax | Routine::Amin => {
+            Routine::Abs => {
+                let each = a.words.iter().map(|it| {
+                    let value = Expr::intrinsic(Intrinsic::Abs, vec![it.value.clone()]);
+                    Word::constant(value)
+                });
+                each.collect()
+            }
+            Routine::Amax | Routine::Amin | Routine::Inf | Routine::Sup if self.backwards => {
+                return Err(Problem::new(
+                    span,
+                    "the extreme of a matrix has no gradient",
+                    "compare its elements in a loop",
+                ));
+            }
+            Routine::Inf | Routine::Sup | Routine::Amax | Routine::Amin => {
                 return Err(Problem::new(
                     span,
                     "this routine is not computed by elements",

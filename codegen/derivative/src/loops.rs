@@ -68,7 +68,8 @@ impl Run<'_> {
         for written in assigned.written() {
             // An alias of a place writes the local of the place.
             let local = env.aliases.get(&written).map_or(written, crate::place::Route::root);
-            if env.locals.contains_key(&local) {
+            if let Some(value) = env.locals.get(&local) {
+                self.plain(value.clone(), span)?;
                 locals.insert(local);
             } else if !assigned.declared.contains(&local) {
                 let name = &frame.function.local(local).name;
@@ -241,6 +242,7 @@ impl Run<'_> {
         let mut found = Vec::new();
         for Carried { local, words } in carried {
             let Some(value) = env.locals.get(local).cloned() else { continue };
+            let value = self.plain(value, frame.function.local(*local).span)?;
             for (word, variable) in value.words(self.module).into_iter().zip(words) {
                 found.push(word.tangents.keys().copied().collect::<BTreeSet<u32>>());
                 let zero = float(0.0, &word.value.ty, word.value.span);

@@ -104,22 +104,11 @@ impl Run<'_> {
                     ty = self.part_type(&ty, *at);
                     continue;
                 }
-                (Hop::Part(at), Value::Place(place)) => (self.part(place, *at, span)?, None),
-                (Hop::Unknown(step), Value::Place(place)) => {
-                    let inner = self.module.step_type(&place.ty, step).unwrap_or(Type::Unit);
-                    (Value::at(place.inside(step.clone(), inner)), None)
+                (_, Value::Place(place)) => self.inside(place, hop, &ty, span)?,
+                (_, Value::Factor(factor)) => {
+                    self.inside(&self.elements(factor, span)?, hop, &ty, span)?
                 }
                 (Hop::From(at), Value::Parts(all)) => {
-                    let rest = all.get(*at..).ok_or_else(|| outside(span))?;
-                    (Value::Parts(rest.to_vec()), Some(slice(&ty)))
-                }
-                (Hop::From(0), Value::Place(place)) if matches!(place.ty, Type::Slice(_)) => {
-                    (value.clone(), None)
-                }
-                (Hop::From(at), Value::Place(place)) => {
-                    let Value::Parts(all) = Value::Place(place.clone()).split(self.module) else {
-                        return Err(outside(span));
-                    };
                     let rest = all.get(*at..).ok_or_else(|| outside(span))?;
                     (Value::Parts(rest.to_vec()), Some(slice(&ty)))
                 }
@@ -138,6 +127,33 @@ impl Run<'_> {
             value = &own;
         }
         Ok(value.clone())
+    }
+
+    /// Returns the value one step into a place, and its type if that is not the step's.
+    fn inside(
+        &self,
+        place: &Place,
+        hop: &Hop,
+        ty: &Type,
+        span: Span,
+    ) -> Result<(Value, Option<Type>)> {
+        match hop {
+            Hop::Part(at) => Ok((self.part(place, *at, span)?, None)),
+            Hop::Unknown(step) => {
+                let inner = self.module.step_type(&place.ty, step).unwrap_or(Type::Unit);
+                Ok((Value::at(place.inside(step.clone(), inner)), None))
+            }
+            Hop::From(0) if matches!(place.ty, Type::Slice(_)) => {
+                Ok((Value::Place(place.clone()), None))
+            }
+            Hop::From(at) => {
+                let Value::Parts(all) = Value::Place(place.clone()).split(self.module) else {
+                    return Err(outside(span));
+                };
+                let rest = all.get(*at..).ok_or_else(|| outside(span))?;
+                Ok((Value::Parts(rest.to_vec()), Some(slice(ty))))
+            }
+        }
     }
 
     /// Writes a value to a route.
@@ -162,6 +178,7 @@ impl Run<'_> {
         span: Span,
     ) -> Result<Value> {
         let Some((hop, rest)) = steps.split_first() else { return Ok(value) };
+        let old = self.plain(old, span)?;
         let Value::Parts(mut all) = old.split(self.module) else { return Err(outside(span)) };
         match hop {
             Hop::Part(at) => {

@@ -99,7 +99,7 @@ impl Run<'_> {
     }
 
     /// Returns the derivatives of a function whose value is one of its operands, or its negative.
-    fn selected(&mut self, op: Intrinsic, value: &Expr, operands: &[Word]) -> Tangents {
+    pub fn selected(&mut self, op: Intrinsic, value: &Expr, operands: &[Word]) -> Tangents {
         let is = |op: CompareOp, a: &Expr, b: &Expr| Expr::compare(op, a.clone(), b.clone());
         let empty = Tangents::new();
         let of = |index: usize| operands.get(index).map_or(&empty, |it| &it.tangents).clone();
@@ -300,7 +300,8 @@ const ELEMENTARY: [&str; 22] = [
     "ln_1p", "sinh", "cosh", "tanh", "cbrt", "powi", "atan2", "powf", "hypot", "mul_add",
 ];
 
-fn opaque(expr: &Expr) -> Problem {
+/// Returns the problem of an operation on bits.
+pub fn opaque(expr: &Expr) -> Problem {
     Problem::new(
         expr.span,
         "an operation on the bits of a differentiated number has no derivative",

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use bessemer_ir::visit::{self, Access, VisitMut};
 use bessemer_ir::{
     Block, Expr, ExprKind, Function, FunctionId, Local, LocalId, Mode, Module, Place, Role, Span,
-    Step, Stmt, StmtKind, Type,
+    Step, Stmt, StmtKind, Type, effects,
 };
 
 use crate::covariance::elements;
@@ -50,10 +50,18 @@ pub struct Run<'m> {
     pub found: Vec<BTreeSet<u32>>,
     /// Number of evaluated statements.
     pub steps: u32,
+    /// Number of comparisons around: their operands need no derivatives.
+    pub compared: u32,
     /// Name for the next values.
     pub name: String,
     /// Calls of elementary functions in the blocks around, with their values.
-    calls: Vec<(Expr, Expr)>,
+    pub calls: Vec<(Expr, Expr)>,
+    /// True if a way backwards follows, so that matrices are evaluated by elements.
+    pub backwards: bool,
+    /// Number of parameters.
+    pub params: u32,
+    /// Locals with the counter of the last pass, by the counters of loops that may end early.
+    pub ends: BTreeMap<LocalId, LocalId>,
 }
 
 impl<'m> Run<'m> {
@@ -68,8 +76,12 @@ impl<'m> Run<'m> {
             out: Vec::new(),
             found: Vec::new(),
             steps: 0,
+            compared: 0,
             name: String::new(),
             calls: Vec::new(),
+            backwards: false,
+            params: declared.params,
+            ends: BTreeMap::new(),
         }
     }
 
@@ -106,7 +118,7 @@ impl<'m> Run<'m> {
             env.locals.insert(id, value);
         }
         let result = self.function(of, env)?.result.unwrap_or(Value::Parts(Vec::new()));
-        let words = result.words(module);
+        let words = self.plain(result, span)?.words(module);
         let value = self.aggregate(&of.result, words.iter().map(|word| word.value.clone()));
         if let Some(covariance) = crate::covariance(module, request) {
             let (root, size) = (LocalId(of.params), words.len() as u32);
@@ -164,12 +176,33 @@ impl<'m> Run<'m> {
         let parts = crate::value::parts(self.module, ty, Span::default());
         let all: Vec<Expr> = parts.iter().map(|(_, ty)| self.build(ty, words)).collect();
         let span = all.first().map_or_else(Span::default, |first| first.span);
+        if let Some(whole) = self.place_of(ty, &parts, &all) {
+            return whole.load();
+        }
         let kind = match ty {
             Type::Struct(_) => ExprKind::Struct(all),
             Type::Matrix { .. } => ExprKind::Matrix(all),
             _ => ExprKind::Array(all),
         };
         Expr { kind, ty: ty.clone(), span }
+    }
+
+    /// Returns the place of a type whose parts these are, in their order.
+    fn place_of(&self, ty: &Type, parts: &[(Step, Type)], all: &[Expr]) -> Option<Place> {
+        let ExprKind::Load(first) = &all.first()?.kind else { return None };
+        let (_, around) = first.steps.split_last()?;
+        let mut found = self.locals[first.root.index()].ty.clone();
+        for step in around {
+            found = self.module.step_type(&found, step)?;
+        }
+        let whole = Place { steps: around.to_vec(), ty: ty.clone(), ..first.clone() };
+        let is_part = |(of, (step, ty)): (&Expr, &(Step, Type))| match &of.kind {
+            ExprKind::Load(place) => {
+                effects::same_place(place, &whole.inside(step.clone(), ty.clone()))
+            }
+            _ => false,
+        };
+        (found == *ty && all.iter().zip(parts).all(is_part)).then_some(whole)
     }
 
     /// Writes a statement.
@@ -286,6 +319,26 @@ impl<'m> Run<'m> {
         value
     }
 
+    /// Returns a function of the module, or one that was added.
+    pub fn function_of(&self, id: FunctionId) -> &Function {
+        let base = self.module.functions.len();
+        match id.index().checked_sub(base) {
+            Some(added) => &self.added[added],
+            None => &self.module.functions[id.index()],
+        }
+    }
+
+    /// Returns the function of a kernel.
+    pub fn kernel_function(&mut self, kernel: bessemer_ir::Kernel) -> FunctionId {
+        let all = self.module.functions.iter().chain(&self.added);
+        let mut known = all.map(|it| it.kernel.as_ref() == Some(&kernel));
+        let at = known.position(|it| it).unwrap_or_else(|| {
+            self.added.push(kernel.function());
+            self.module.functions.len() + self.added.len() - 1
+        });
+        FunctionId(at as u32)
+    }
+
     /// Returns the name of an operand for names of values that depend on it.
     fn label(&self, operand: &Expr) -> String {
         let ExprKind::Load(place) = &operand.kind else { return String::new() };
@@ -312,7 +365,7 @@ impl<'m> Run<'m> {
 }
 
 /// Returns an expression without spans, by which equal expressions are found.
-fn placeless(mut expr: Expr) -> Expr {
+pub fn placeless(mut expr: Expr) -> Expr {
     struct Placeless;
     impl VisitMut for Placeless {
         fn expr(&mut self, expr: &mut Expr) {

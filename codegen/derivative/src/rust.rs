@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use bessemer_ir::visit::{self, Access, Visit};
 use bessemer_ir::{
-    Argument, BinaryOp, Block, CompareOp, Expr, ExprKind, Float, Function, Intrinsic, LocalId,
-    LogicOp, Module, Place, Routine, Scalar, Step, StmtKind, Type, UnaryOp,
+    Argument, BinaryOp, Block, CompareOp, Expr, ExprKind, Float, Function, Intrinsic,
+    KernelRoutine, LocalId, LogicOp, Module, Place, Routine, Scalar, Step, StmtKind, Type, UnaryOp,
 };
 
 /// Returns the statements of a function's body, each on its line.
@@ -85,8 +85,9 @@ struct Assigned {
 
 impl Visit for Assigned {
     fn place(&mut self, place: &Place, access: Access) {
-        if access == Access::Write {
-            let set = if place.steps.is_empty() { &mut self.whole } else { &mut self.parts };
+        if access != Access::Read {
+            let is_whole = place.steps.is_empty() && access == Access::Write;
+            let set = if is_whole { &mut self.whole } else { &mut self.parts };
             set.insert(place.root);
         }
         visit::walk_place(self, place);
@@ -418,6 +419,9 @@ impl Printer<'_> {
             }
             ExprKind::Call(callee, arguments) => {
                 let callee = &self.module.functions[callee.index()];
+                if let Some(kernel) = &callee.kernel {
+                    return self.kernel(kernel.routine, arguments);
+                }
                 let all: Vec<&Expr> = arguments
                     .iter()
                     .filter_map(|it| match it {
@@ -468,6 +472,35 @@ impl Printer<'_> {
             },
             ExprKind::Routine(routine, operands) => self.routine(*routine, operands),
         }
+    }
+
+    /// Returns the call of a kernel.
+    fn kernel(&self, routine: KernelRoutine, arguments: &[Argument]) -> (String, u8) {
+        let path = match routine {
+            KernelRoutine::LuSolve => "solve_mut",
+            KernelRoutine::Solve => "solve_into",
+            KernelRoutine::Inverse => "inverse_mut",
+            KernelRoutine::Determinant => "linear::kernels::determinant",
+            KernelRoutine::Cholesky => "linear::kernels::cholesky_mut",
+            KernelRoutine::CholeskyLower => "linear::kernels::cholesky_lower",
+            KernelRoutine::CholeskySolve => "linear::kernels::cholesky_solve_mut",
+            KernelRoutine::SolveLower => "linear::kernels::solve_lower_mut",
+            KernelRoutine::SolveUpper => "linear::kernels::solve_upper_mut",
+            KernelRoutine::TrSolveLower => "linear::kernels::tr_solve_lower_mut",
+            KernelRoutine::TrSolveUpper => "linear::kernels::tr_solve_upper_mut",
+            // Products are operators.
+            _ => "linear",
+        };
+        let all = arguments.iter().map(|argument| match argument {
+            Argument::Value(value) => self.expr(value, LOWEST),
+            Argument::Ref(value) => {
+                let text = self.expr(value, PREFIX);
+                text.strip_prefix('*').map_or_else(|| format!("&{text}"), str::to_owned)
+            }
+            Argument::RefMut(place) => format!("&mut {}", self.place(place)),
+        });
+        let all: Vec<String> = all.collect();
+        (format!("bessemer::{path}({})", all.join(", ")), ATOM)
     }
 
     fn routine(&self, routine: Routine, operands: &[Expr]) -> (String, u8) {

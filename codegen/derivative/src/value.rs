@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use bessemer_ir::visit::{self, Access, Visit};
 use bessemer_ir::{Expr, Int, Module, Place, Scalar, Span, Step, Type};
 
 /// Derivatives of a number by variables, each of its type. Those by all other variables are zero.
@@ -25,6 +26,17 @@ pub enum Value {
     Parts(Vec<Value>),
     /// A value without derivatives, at a place that is never written again.
     Place(Place),
+    /// A factor of a matrix with derivatives, or a struct of factors.
+    Factor(Factor),
+}
+
+/// A factor of a matrix. It solves with the derivatives of the matrix; its own are unknown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Factor {
+    /// Place of the factor; none if it is never computed.
+    pub value: Option<Place>,
+    /// The matrix by columns.
+    pub of: Vec<Word>,
 }
 
 impl Word {
@@ -81,6 +93,7 @@ impl Value {
             Value::Leaf(word) => vec![word],
             Value::Parts(parts) => parts.into_iter().flat_map(|it| it.words(module)).collect(),
             Value::Place(_) => Vec::new(),
+            Value::Factor(factor) => factor.of,
         }
     }
 
@@ -96,7 +109,7 @@ impl Value {
         match self {
             Value::Leaf(word) => change(word),
             Value::Parts(parts) => parts.iter_mut().try_for_each(|it| it.each(module, change)),
-            Value::Place(_) => Ok(()),
+            Value::Place(_) | Value::Factor(_) => Ok(()),
         }
     }
 
@@ -106,6 +119,31 @@ impl Value {
             Value::Leaf(word) => !word.tangents.is_empty(),
             Value::Parts(parts) => parts.iter().any(Value::is_active),
             Value::Place(_) => false,
+            Value::Factor(_) => true,
+        }
+    }
+
+    /// Returns true if a part is a factor.
+    pub fn has_factor(&self) -> bool {
+        match self {
+            Value::Parts(parts) => parts.iter().any(Value::has_factor),
+            Value::Factor(_) => true,
+            Value::Leaf(_) | Value::Place(_) => false,
+        }
+    }
+
+    /// Returns true if it reads only the first locals, `count` of them.
+    pub fn is_visible(&self, count: usize) -> bool {
+        let visible = |expr: &Expr| is_visible(expr, count);
+        let word = |word: &Word| visible(&word.value) && word.tangents.values().all(visible);
+        match self {
+            Value::Leaf(it) => word(it),
+            Value::Parts(parts) => parts.iter().all(|it| it.is_visible(count)),
+            Value::Place(place) => visible(&place.load()),
+            Value::Factor(factor) => {
+                let value = factor.value.iter().all(|place| visible(&place.load()));
+                value && factor.of.iter().all(word)
+            }
         }
     }
 
@@ -118,4 +156,17 @@ impl Value {
         let all = parts.iter().map(|(_, ty)| Value::of(module, ty, words));
         all.collect::<Option<Vec<_>>>().map(Value::Parts)
     }
+}
+
+fn is_visible(expr: &Expr, count: usize) -> bool {
+    struct Visible(usize, bool);
+    impl Visit for Visible {
+        fn place(&mut self, place: &Place, _: Access) {
+            self.1 &= place.root.index() < self.0;
+            visit::walk_place(self, place);
+        }
+    }
+    let mut visible = Visible(count, true);
+    visible.expr(expr);
+    visible.1
 }

@@ -105,8 +105,7 @@ pub fn compiled_from(job: &Job, tree: &Tree) -> Result<Made, Error> {
 pub fn renewed(job: &Job) -> Result<Tree, Error> {
     let tree = tree(job)?;
     let sources = Sources::new(&job.root);
-    let columns = job.options.layout == compile::Layout::Columns;
-    let edits = derivatives::edits(&tree.package, &sources, columns)
+    let edits = derivatives::edits(&tree.package, &sources)
         .map_err(|diagnostics| refused(job, diagnostics, &sources))?;
     if edits.is_empty() {
         return Ok(tree);

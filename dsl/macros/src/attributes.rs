@@ -38,16 +38,17 @@ pub fn of_function(function: &mut syn::ItemFn, external: bool, refusals: &mut Re
     asked
 }
 
-/// Reads the argument `derivative(path::of, parameter, …)` of `#[function]`.
+/// Reads the argument `derivative(path::of, parameter, …)` or `gradient(…)` of `#[function]`.
 pub fn derivative(arguments: &TokenStream) -> Option<(Derivative, syn::Path)> {
     let list = syn::parse2::<syn::MetaList>(arguments.clone()).ok()?;
     let parser = syn::punctuated::Punctuated::<syn::Path, syn::Token![,]>::parse_terminated;
     let mut paths = list.parse_args_with(parser).ok()?.into_iter();
-    let of = paths.next().filter(|_| list.path.is_ident("derivative"))?;
+    let is_gradient = list.path.is_ident("gradient");
+    let of = paths.next().filter(|_| is_gradient || list.path.is_ident("derivative"))?;
     let by = paths.map(|it| it.get_ident().map(lower::text)).collect::<Option<Vec<_>>>()?;
     let segments = of.segments.iter().map(|it| lower::text(&it.ident)).collect();
     let site = lower::site(&of.segments.first()?.ident);
-    (!by.is_empty()).then_some((Derivative { of: segments, by, site }, of))
+    (!by.is_empty()).then_some((Derivative { of: segments, by, is_gradient, site }, of))
 }
 
 /// Internal argument that marks a function inside other functions; its value is the nesting depth.

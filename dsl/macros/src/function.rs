@@ -25,7 +25,7 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let depth = attributes::depth(&arguments);
     let derivative = attributes::derivative(&arguments);
     let is_derivative = syn::parse2::<syn::Meta>(arguments.clone())
-        .is_ok_and(|it| it.path().is_ident("derivative"));
+        .is_ok_and(|it| ["derivative", "gradient"].iter().any(|name| it.path().is_ident(name)));
     if is_derivative && derivative.is_none() {
         refusals.add(&arguments, refuse::DERIVATIVE);
     } else if !arguments.is_empty() && role == Role::Public && depth == 0 && !is_derivative {

@@ -239,7 +239,7 @@ pub fn component(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// In the C a function of its module's file; a generic one for each way in which it is called.
 ///
 /// `#[function(derivative(advanced, state))]` declares the value of `advanced` and its Jacobian by its parameter `state`; `gen`
-/// writes the body in place of `todo!()`.
+/// writes the body in place of `todo!()`. `#[function(gradient(cost, inputs))]` declares a number and its gradient.
 #[proc_macro_attribute]
 pub fn function(arguments: TokenStream, item: TokenStream) -> TokenStream {
     expanded("function", arguments, item, function::expand)

@@ -188,13 +188,16 @@ pub struct FunctionTree {
     pub derivative: Option<Derivative>,
 }
 
-/// A derivative: `#[function(derivative(advance, state))]`.
+/// A derivative: `#[function(derivative(advance, state))]`, or a gradient.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Derivative {
     /// Segments of the path of the differentiated function.
     pub of: Vec<String>,
     /// Parameters by which it is differentiated, in the order of the Jacobians.
     pub by: Vec<String>,
+    /// True for `#[function(gradient(cost, input))]`: the gradients of a number, in reverse mode.
+    #[serde(default, skip_serializing_if = "core::ops::Not::not")]
+    pub is_gradient: bool,
     /// Site of the path.
     pub site: Site,
 }

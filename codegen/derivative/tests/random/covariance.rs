@@ -1,6 +1,6 @@
 //! Propagation of covariances: F P Fᵀ in place equals the product of dense matrices, for random structures of F.
 
-use bessemer_derivative::{Request, derivative};
+use bessemer_derivative::{Kind, Request, derivative};
 use bessemer_interpret::Interpreter;
 use bessemer_ir::Module;
 use bessemer_ir::text::parse;
@@ -65,7 +65,7 @@ fn module(seed: u64) -> Module {
 /// Runs the derivative that a function declares; returns its result, and its arguments afterwards.
 fn run(module: &Module, name: &str, mut arguments: Vec<Vec<u64>>) -> (Vec<f64>, Vec<Vec<u64>>) {
     let (of, into) = (find(module, "subject"), find(module, name));
-    let request = Request { of, by: vec![0], into };
+    let request = Request { of, by: vec![0], kind: Kind::Jacobians, into };
     let (mut with, function) =
         derivative(module, &request).unwrap_or_else(|problem| panic!("{}", problem.message));
     with.functions[into.index()] = function;
@@ -135,10 +135,11 @@ fn a_covariance_that_does_not_fit_is_refused() {
         );
         let module = parse(&text).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
         let (of, into) = (find(&module, "subject"), find(&module, "jacobian"));
-        let found = match derivative(&module, &Request { of, by: vec![0], into }) {
-            Ok(_) => "no problem".to_owned(),
-            Err(problem) => problem.message,
-        };
+        let found =
+            match derivative(&module, &Request { of, by: vec![0], kind: Kind::Jacobians, into }) {
+                Ok(_) => "no problem".to_owned(),
+                Err(problem) => problem.message,
+            };
         assert!(found.contains(expected), "{covariance}: {found}");
     }
 }

@@ -20,15 +20,18 @@ pub struct Dual {
 }
 
 impl Dual {
-    fn word(word: u64) -> Dual {
+    /// Returns a word without derivatives.
+    pub fn word(word: u64) -> Dual {
         Dual { word, tangents: [0.0; VARIABLES] }
     }
 
-    fn new(value: f64, tangent: impl Fn(usize) -> f64) -> Dual {
+    /// Returns a float with its derivatives.
+    pub fn new(value: f64, tangent: impl Fn(usize) -> f64) -> Dual {
         Dual { word: value.to_bits(), tangents: std::array::from_fn(tangent) }
     }
 
-    fn value(self) -> f64 {
+    /// Returns the float.
+    pub fn value(self) -> f64 {
         f64::from_bits(self.word)
     }
 
@@ -41,16 +44,19 @@ fn add(a: Dual, b: Dual) -> Dual {
     Dual::new(a.value() + b.value(), |k| a.tangents[k] + b.tangents[k])
 }
 
-fn sub(a: Dual, b: Dual) -> Dual {
+/// Returns `a - b`.
+pub fn sub(a: Dual, b: Dual) -> Dual {
     Dual::new(a.value() - b.value(), |k| a.tangents[k] - b.tangents[k])
 }
 
-fn mul(a: Dual, b: Dual) -> Dual {
+/// Returns `a * b`.
+pub fn mul(a: Dual, b: Dual) -> Dual {
     let (x, y) = (a.value(), b.value());
     Dual::new(x * y, |k| y * a.tangents[k] + x * b.tangents[k])
 }
 
-fn div(a: Dual, b: Dual) -> Dual {
+/// Returns `a / b`.
+pub fn div(a: Dual, b: Dual) -> Dual {
     let (x, y) = (a.value(), b.value());
     let quotient = x / y;
     Dual::new(quotient, |k| (a.tangents[k] - quotient * b.tangents[k]) / y)
@@ -61,7 +67,8 @@ fn rem(a: Dual, b: Dual) -> Dual {
     Dual::new(x % y, |k| a.tangents[k] - (x / y).trunc() * b.tangents[k])
 }
 
-fn root(a: Dual) -> Dual {
+/// Returns the square root.
+pub fn root(a: Dual) -> Dual {
     let root = a.value().sqrt();
     Dual::new(root, |k| a.tangents[k] / (2.0 * root))
 }
@@ -80,12 +87,18 @@ enum Flow {
 struct Run<'m> {
     module: &'m Module,
     finite: bool,
+    largest: f64,
 }
 
 type Memory = BTreeMap<LocalId, Vec<Dual>>;
 
-/// Calls a function on words; the first two arguments are the variables. Returns none if a float was infinite or NaN.
-pub fn call(module: &Module, function: FunctionId, arguments: &[Vec<u64>]) -> Option<Vec<Dual>> {
+/// Calls a function on words; the first two arguments are the variables. Returns the largest number
+/// on the way, too; none if a float was infinite or NaN.
+pub fn call(
+    module: &Module,
+    function: FunctionId,
+    arguments: &[Vec<u64>],
+) -> Option<(Vec<Dual>, f64)> {
     let mut memory = Memory::new();
     let mut variable = 0;
     for (index, words) in arguments.iter().enumerate() {
@@ -96,9 +109,9 @@ pub fn call(module: &Module, function: FunctionId, arguments: &[Vec<u64>]) -> Op
         }
         memory.insert(LocalId(index as u32), duals);
     }
-    let mut run = Run { module, finite: true };
+    let mut run = Run { module, finite: true, largest: 1.0 };
     let result = run.function(&module.functions[function.index()], &mut memory);
-    Some(result).filter(|_| run.finite)
+    Some((result, run.largest)).filter(|_| run.finite)
 }
 
 impl Run<'_> {
@@ -221,6 +234,8 @@ impl Run<'_> {
         let duals = self.unchecked(of, memory, expr);
         if expr.ty.as_float().is_some() {
             self.finite &= duals.iter().all(|it| it.is_finite());
+            let all = duals.iter().flat_map(|it| it.tangents.into_iter().chain([it.value()]));
+            self.largest = all.fold(self.largest, |most, it| most.max(it.abs()));
         }
         duals
     }
@@ -298,6 +313,17 @@ impl Run<'_> {
                         Argument::RefMut(place) => self.expr(of, memory, &place.load()),
                     };
                     inner.insert(LocalId(index as u32), value);
+                }
+                if let Some(kernel) = &callee.kernel {
+                    let mut operands: Vec<Vec<Dual>> = inner.into_values().collect();
+                    let size = kernel.dims[0] as usize;
+                    let result = crate::kernels::run(kernel.routine, size, &mut operands);
+                    for (argument, value) in arguments.iter().zip(&operands) {
+                        if let Argument::RefMut(place) = argument {
+                            self.store(of, memory, place, value);
+                        }
+                    }
+                    return result;
                 }
                 let result = self.function(callee, &mut inner);
                 for (index, argument) in arguments.iter().enumerate() {

@@ -7,9 +7,11 @@
 
 mod covariance;
 mod dual;
+mod gradients;
+mod kernels;
 mod programs;
 
-use bessemer_derivative::{Request, body, derivative};
+use bessemer_derivative::{Kind, Request, body, derivative};
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::text::{parse, print};
 use bessemer_ir::{Block, Function, FunctionId, Module};
@@ -26,7 +28,7 @@ fn find(module: &Module, name: &str) -> FunctionId {
 /// Returns the module with the derivative in place of its declaration.
 fn with_derivative(module: &Module) -> Option<(Module, Function)> {
     let (of, into) = (find(module, "subject"), find(module, "jacobian"));
-    let request = Request { of, by: vec![0, 1], into };
+    let request = Request { of, by: vec![0, 1], kind: Kind::Jacobians, into };
     match derivative(module, &request) {
         Ok((mut module, function)) => {
             module.functions[into.index()] = function.clone();
@@ -69,7 +71,7 @@ fn agree(seed: u64) -> (u32, u32) {
         let found = interpreter.call(into, &mut arguments.clone());
         let plain = Interpreter::new(&module).call(of, &mut arguments.clone());
         let (expected, found, plain) = match (expected, found, plain) {
-            (Some(expected), Ok(found), Ok(plain)) => (expected, found, plain),
+            (Some((expected, _)), Ok(found), Ok(plain)) => (expected, found, plain),
             (_, Err(Stop::Fault { .. }), Err(Stop::Fault { .. })) => continue,
             (None, Ok(_), Ok(_)) => continue,
             (_, found, plain) => panic!("{seed}: {found:?}, {plain:?}\n{}", shown()),
@@ -180,7 +182,7 @@ fn problem(parameters: &str, result: &str, body: &str, by: usize, declared: &str
     );
     let module = parse(&text).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
     let (of, into) = (find(&module, "subject"), find(&module, "jacobian"));
-    match derivative(&module, &Request { of, by: vec![by], into }) {
+    match derivative(&module, &Request { of, by: vec![by], kind: Kind::Jacobians, into }) {
         Ok(_) => "no problem".to_owned(),
         Err(problem) => problem.message,
     }

@@ -40,6 +40,7 @@ pub fn program(seed: u64) -> String {
     writer.text.push_str(
         "module demo\n\
          struct Pair in demo { first: f64, second: matrix<f64, 1, 3>, third: f64 }\n\
+         struct Slopes in demo { first: f64, second: matrix<f64, 3, 1>, third: f64 }\n\
          struct Triple in demo { first: matrix<f64, 3, 1>, second: matrix<f64, 3, 3>, third: matrix<f64, 3, 1> }\n\
          fn helper in demo(x: &matrix<f64, 3, 1>, y: f64, n: usize, table: &mut [f64; 4]) -> f64 as result {\n",
     );
@@ -61,6 +62,9 @@ pub fn program(seed: u64) -> String {
         writer.text,
         "fn jacobian in demo{face} -> {pair} as result {{\n  return struct {pair} {{ {zero} }};\n}}"
     );
+    if !vector {
+        let _ = writeln!(writer.text, "fn gradient in demo{face} -> Slopes as result {{\n}}");
+    }
     writer.text
 }
 

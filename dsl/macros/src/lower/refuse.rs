@@ -123,7 +123,7 @@ macro_rules! reasons {
 reasons! {
     SYNTAX: "this syntax is not part of the DSL", "write it with `let`, `if`, `match`, `for`, calls and arithmetic";
     ARGUMENTS: "this attribute takes no arguments", "remove them";
-    DERIVATIVE: "`derivative` names a function and some of its parameters", "write `#[function(derivative(advance, state))]`";
+    DERIVATIVE: "`derivative` and `gradient` name a function and some of its parameters", "write `#[function(derivative(advance, state))]`";
     NOT_A_FUNCTION: "`#[function]` belongs on a free function", "mark a struct, an enum or an `impl` block `#[data]` or `#[component]`";
     NO_FUNCTION_BUT_A_CONSTANT: "`#[function]` belongs on a free function", "remove it: a constant of numbers needs no attribute, and one of structs `#[data]`";
     REWRITTEN_CALL: "a `#[function(rewrite)]` can only call its own closures", "use `#[function(expand)]`, which can call other functions";

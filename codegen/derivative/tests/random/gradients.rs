@@ -1,0 +1,150 @@
+//! Gradients of random functions equal dense dual numbers, within a bound: the order of their sums differs.
+
+use bessemer_derivative::{Kind, Request, body, derivative};
+use bessemer_interpret::{Interpreter, Stop};
+use bessemer_ir::text::parse;
+
+use crate::{dual, find, programs};
+
+/// Largest difference, relative to the square of the largest number on the way.
+const BOUND: f64 = 1e-12;
+
+/// Number of random functions; with `BESSEMER_FULL` ten times as many.
+const FUNCTIONS: u64 = 200;
+
+#[test]
+fn random_functions_have_the_gradients_of_dual_numbers() {
+    let large = std::thread::Builder::new().stack_size(1 << 28);
+    let run = large.spawn(|| {
+        let full = std::env::var_os("BESSEMER_FULL").is_some();
+        let (mut compared, mut refused, mut calls) = (0, 0, 0);
+        for seed in 0..if full { 10 * FUNCTIONS } else { FUNCTIONS } {
+            match agree(seed) {
+                Some((found, of)) => {
+                    compared += found;
+                    calls += of;
+                }
+                None => refused += 1,
+            }
+        }
+        println!("{compared} of {calls} calls compared, {refused} functions refused");
+        assert!(2 * compared > calls, "only {compared} of {calls} calls were finite");
+        assert!(calls > 2 * FUNCTIONS as u32 / 3, "only {calls} calls");
+    });
+    run.expect("a thread starts").join().expect("all agree");
+}
+
+/// Compares the calls of one random function; returns the numbers of those compared and of all. None for a vector, and for a
+/// loop whose length is unknown.
+fn agree(seed: u64) -> Option<(u32, u32)> {
+    let text = programs::program(seed);
+    let module = parse(&text).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
+    if !text.contains("fn gradient") {
+        return None;
+    }
+    let (of, into) = (find(&module, "subject"), find(&module, "gradient"));
+    let request = Request { of, by: vec![0, 1], kind: Kind::Gradients, into };
+    let (with, function) = match derivative(&module, &request) {
+        Ok((mut with, function)) => {
+            with.functions[into.index()] = function.clone();
+            (with, function)
+        }
+        Err(problem)
+            if ["statements", "not constant"].iter().any(|it| problem.message.contains(it)) =>
+        {
+            return None;
+        }
+        Err(problem) => panic!("{seed}: {}\n{text}", problem.message),
+    };
+    let shown = || format!("{text}\n{}", body(&with, &function));
+    let calls = programs::calls(seed);
+    let mut interpreter = Interpreter::new(&with);
+    let mut compared = 0;
+    for arguments in &calls {
+        let expected = dual::call(&module, of, arguments);
+        let found = interpreter.call(into, &mut arguments.clone());
+        let plain = Interpreter::new(&module).call(of, &mut arguments.clone());
+        let ((expected, largest), found, plain) = match (expected, found, plain) {
+            (Some(expected), Ok(found), Ok(plain)) => (expected, found, plain),
+            (_, Err(Stop::Fault { .. }), Err(Stop::Fault { .. })) => continue,
+            (None, Ok(_), Ok(_)) => continue,
+            (_, found, plain) => panic!("{seed}: {found:?}, {plain:?}\n{}", shown()),
+        };
+        compared += 1;
+        assert_eq!(found[0], plain[0], "value of {seed}\n{}", shown());
+        for (variable, word) in found[1..].iter().enumerate() {
+            let (found, wanted) = (f64::from_bits(*word), expected[0].tangents[variable]);
+            assert!(
+                (found - wanted).abs() <= BOUND * largest * largest,
+                "{seed} {arguments:?}: by variable {variable}: {found:e}, not {wanted:e}\n{}",
+                shown()
+            );
+        }
+    }
+    Some((compared, calls.len() as u32))
+}
+
+/// The Jacobian of a gradient is the Hessian: a derivative may call what the generator wrote.
+#[test]
+fn the_derivative_of_a_gradient_is_the_hessian() {
+    let vector = "matrix<f64, 2, 1>";
+    let text = format!(
+        "module demo\n\
+         struct Slopes in demo {{ first: f64, second: {vector} }}\n\
+         struct Pair in demo {{ first: Slopes, second: matrix<f64, 3, 2> }}\n\
+         fn subject in demo(x: &{vector}) -> f64 as result {{\n\
+         let a: f64 = x[0, 0] * x[0, 0];\n\
+         if x[1, 0] > 0.0 {{ return a * x[1, 0]; }}\n\
+         return a * a;\n}}\n\
+         fn gradient in demo(x: &{vector}) -> Slopes as result {{\n}}\n\
+         fn jacobian in demo(x: &{vector}) -> Pair as result {{\n}}\n"
+    );
+    let module = parse(&text).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
+    let [of, gradient, jacobian] = ["subject", "gradient", "jacobian"].map(|it| find(&module, it));
+    let request = Request { of, by: vec![0], kind: Kind::Gradients, into: gradient };
+    let (mut with, function) = derivative(&module, &request).expect("it has a gradient");
+    with.functions[gradient.index()] = function;
+    let request = Request { of: gradient, by: vec![0], kind: Kind::Jacobians, into: jacobian };
+    let (mut with, function) = derivative(&with, &request).expect("it has a derivative");
+    with.functions[jacobian.index()] = function;
+    for ([x, y], expected) in [
+        ([3.0, 2.0], [18.0, 12.0, 9.0, 12.0, 4.0, 6.0, 9.0, 6.0, 0.0]),
+        ([3.0, -2.0], [81.0, 108.0, 0.0, 108.0, 108.0, 0.0, 0.0, 0.0, 0.0]),
+    ] {
+        let mut arguments = vec![[x, y].map(f64::to_bits).to_vec()];
+        let found = Interpreter::new(&with).call(jacobian, &mut arguments).expect("it runs");
+        let found: Vec<f64> = found.into_iter().map(f64::from_bits).collect();
+        assert_eq!(found, expected, "{x} {y}");
+    }
+}
+
+/// Each reason why a function has no gradient is reported, and so is a signature that does not fit.
+#[test]
+fn functions_without_a_gradient_are_refused() {
+    let long = "let a: f64 = x;\nfor i: usize in 0..n { a = a * x; }\nreturn a;";
+    let cases = [
+        ("f64", "f64", "return x.to_bits() as f64;", "the bits of a differentiated number"),
+        ("f64", "f64", long, "whose length is not constant"),
+        (
+            "f64",
+            "matrix<f64, 1, 1>",
+            "return x;",
+            "another result than the value and the gradients",
+        ),
+        ("matrix<f64, 2, 1>", "f64", "return matrix<2, 1>(x, x);", "is no number"),
+        ("f64", "f64", "return matrix<2, 1>(x, 1.0).amax();", "the extreme of a matrix"),
+    ];
+    for (result, declared, body, expected) in cases {
+        let text = format!(
+            "module demo\nfile \"demo.rs\"\n\
+             struct Pair in demo {{ first: {result}, second: {declared} }}\n\
+             fn subject in demo(x: f64, n: usize) -> {result} as result {{\n{body}\n}}\n\
+             fn gradient in demo(x: f64, n: usize) -> Pair as result {{\n}}\n"
+        );
+        let module = parse(&text).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
+        let (of, into) = (find(&module, "subject"), find(&module, "gradient"));
+        let request = Request { of, by: vec![0], kind: Kind::Gradients, into };
+        let problem = derivative(&module, &request).expect_err(body);
+        assert!(problem.message.contains(expected), "{body}: {}", problem.message);
+    }
+}
