@@ -4,7 +4,7 @@
 #ifndef EKF_H
 #define EKF_H
 
-#ifdef EKF_SINGLE
+#ifdef BENCH_SINGLE
 typedef float real;
 #else
 typedef double real;

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#ifdef EKF_BARE
+#ifdef BENCH_BARE
 extern FILE *words_out;
 #else
 #define words_out stdout

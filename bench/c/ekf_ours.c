@@ -29,7 +29,7 @@ void step(const real rate[3], const real force[3], real period, const real measu
 void angles(const real three[3], real six[6])
 {
     for (size_t i = 0; i < 3; i++) {
-#ifdef EKF_SINGLE
+#ifdef BENCH_SINGLE
         six[2 * i] = sine_sinf(three[i]);
         six[2 * i + 1] = sine_cosf(three[i]);
 #else

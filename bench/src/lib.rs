@@ -5,6 +5,8 @@
 //! | [`check_cost`] | what the attributes add to `cargo check` of a model |
 //! | [`dsp`] | blocks, filters and predictive control beside CMSIS-DSP, Eigen and TinyMPC |
 //! | [`ekf`] | a Kalman filter beside the code of SymForce and CasADi |
+//! | [`gradient`] | the gradient of a rollout beside CasADi's code |
+//! | [`peers`] | emitted C beside other generators' code |
 //! | [`generation`] | how long a generation takes, by the number of functions |
 //! | [`kernels`] | generated kernels against handwritten C and the libraries |
 //! | [`rebuild`] | what the attributes add to a rebuild of the corpus |
@@ -29,10 +31,12 @@ pub mod ekf;
 pub mod elementary;
 pub mod equality;
 pub mod generation;
+pub mod gradient;
 pub mod kernels;
 pub mod long;
 pub mod moved;
 pub mod onboard;
+pub mod peers;
 pub mod rebuild;
 pub mod shapes;
 pub mod threads;

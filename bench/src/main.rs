@@ -9,8 +9,8 @@ use bench::kernels::reasons::Reasons;
 use bench::kernels::results::Results;
 use bench::kernels::{machine, plot, report, run, stored};
 use bench::{
-    accuracy_points, dsp, ekf, elementary, equality, generation, long, onboard, rebuild, shapes,
-    threads,
+    accuracy_points, dsp, ekf, elementary, equality, generation, gradient, long, onboard, peers,
+    rebuild, shapes, threads,
 };
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -66,6 +66,8 @@ enum Part {
     Dsp,
     /// A Kalman filter beside code of SymForce and CasADi, which pip installs
     Ekf,
+    /// The gradient of a rollout beside code of CasADi, which pip installs
+    Gradient,
     /// Large kernels on one thread and on two
     Threads,
     /// The elementary functions on ten million points each, on every leg: a quarter of an hour
@@ -91,7 +93,7 @@ const AGAIN: &str = "measured again";
 /// A measurement: prints its table and, unless it is a short run, writes its results.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
-const PARTS: [(Part, Measurement); 13] = [
+const PARTS: [(Part, Measurement); 14] = [
     (Part::Kernels, kernels),
     (Part::Elementary, elementary),
     (Part::CheckCost, check_cost),
@@ -102,6 +104,7 @@ const PARTS: [(Part, Measurement); 13] = [
     (Part::Onboard, onboard),
     (Part::Dsp, of_dsp),
     (Part::Ekf, of_ekf),
+    (Part::Gradient, of_gradient),
     (Part::Threads, on_threads),
     (Part::Equality, equality),
     (Part::AccuracyPoints, on_accuracy_points),
@@ -306,8 +309,16 @@ fn of_dsp(arguments: &Arguments) -> Result<(), String> {
     if arguments.quick { Ok(()) } else { put("dsp.md", &page) }
 }
 
+fn of_gradient(arguments: &Arguments) -> Result<(), String> {
+    let json = peers::json(&gradient::ROLLOUT, &peers::measure(&gradient::ROLLOUT)?);
+    let page = gradient::markdown(&json);
+    println!("{page}");
+    arguments.write("gradient", &json)?;
+    if arguments.quick { Ok(()) } else { put("gradient.md", &page) }
+}
+
 fn of_ekf(arguments: &Arguments) -> Result<(), String> {
-    let json = ekf::json(&ekf::measure()?);
+    let json = peers::json(&ekf::FILTER, &peers::measure(&ekf::FILTER)?);
     let page = ekf::page::markdown(&json);
     println!("{page}");
     arguments.write("ekf", &json)?;

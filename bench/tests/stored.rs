@@ -10,7 +10,7 @@ use bench::kernels::machine::{A9, HOST_V3};
 use bench::kernels::reasons::{Reasons, unsettled};
 use bench::kernels::results::Results;
 use bench::kernels::{plot, report, stored};
-use bench::{dsp, ekf};
+use bench::{dsp, ekf, gradient, peers};
 use serde_json::Value;
 
 fn file(name: &str) -> PathBuf {
@@ -82,13 +82,33 @@ fn the_page_of_the_filter_says_what_the_json_has() {
     let text = fs::read_to_string(file("ekf.json")).expect("results are committed");
     let json: Value = serde_json::from_str(&text).expect("JSON");
     let rows = json["rows"].as_array().expect("rows");
-    assert_eq!(rows.len(), ekf::MACHINES.len() * ekf::CONTENDERS.len(), "ekf.json lacks rows");
+    assert_eq!(
+        rows.len(),
+        peers::MACHINES.len() * ekf::FILTER.contenders.len(),
+        "ekf.json lacks rows"
+    );
     let page = ekf::page::markdown(&json);
     if std::env::var_os("UPDATE_DOCS").is_some() {
         fs::write(file("ekf.md"), &page).expect("bench/results is there");
     }
     let found = fs::read_to_string(file("ekf.md")).expect("it is committed");
     assert!(found == page, "ekf.md is stale: UPDATE_DOCS=1 cargo test -p bench --test stored");
+}
+
+#[test]
+fn the_page_of_the_gradient_says_what_the_json_has() {
+    let text = fs::read_to_string(file("gradient.json")).expect("results are committed");
+    let json: Value = serde_json::from_str(&text).expect("JSON");
+    let rows = json["rows"].as_array().expect("rows");
+    let wanted = peers::MACHINES.len() * gradient::ROLLOUT.contenders.len();
+    assert_eq!(rows.len(), wanted, "gradient.json lacks rows");
+    let page = gradient::markdown(&json);
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        fs::write(file("gradient.md"), &page).expect("bench/results is there");
+    }
+    let found = fs::read_to_string(file("gradient.md")).expect("it is committed");
+    let renewal = "UPDATE_DOCS=1 cargo test -p bench --test stored";
+    assert!(found == page, "gradient.md is stale: {renewal}");
 }
 
 fn reasons() -> Reasons {

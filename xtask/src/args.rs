@@ -233,7 +233,7 @@ pub struct Bench {
     #[arg(long)]
     pub quick: bool,
     /// Only this part: kernels, threads, elementary, check-cost, rebuild, generation, long, shapes, onboard,
-    /// dsp, ekf, equality, accuracy-points
+    /// dsp, ekf, gradient, equality, accuracy-points
     #[arg(long)]
     pub only: Option<String>,
     /// Only these machines of `kernels`, such as a9,host-v3: the others keep their previous results

@@ -1,11 +1,9 @@
 //! The page of the results, `bench/results/ekf.md`.
 
-use std::fmt::Write as _;
-
 use serde_json::Value;
 
-use super::{CONTENDERS, MACHINES};
-use crate::dsp::page::grouped;
+use super::FILTER;
+use crate::peers;
 
 /// Returns the page of a result file.
 pub fn markdown(json: &Value) -> String {
@@ -19,30 +17,13 @@ pub fn markdown(json: &Value) -> String {
          [bench/ekf/peers.py](../ekf/peers.py): the whole step as one function, half of the covariance, the six numbers one by one. States and covariances\n\
          after twenty steps are compared before the counts. `cargo xtask bench --only ekf` measures it again, and writes [ekf.json](ekf.json) and this page.\n",
     );
-    for machine in &MACHINES {
-        let row = |contender: &str| {
-            let rows = json["rows"].as_array().into_iter().flatten();
-            let mut of = rows.filter(|row| {
-                row["machine"].as_str() == Some(machine.name)
-                    && row["contender"].as_str() == Some(contender)
-            });
-            of.next().unwrap_or(&Value::Null)
-        };
-        let _ = writeln!(text, "\n## {}\n\n| | {} |", machine.name, CONTENDERS.join(" | "));
-        let _ = writeln!(text, "|---|{}", "--:|".repeat(CONTENDERS.len()));
-        for (key, title) in [
-            ("instructions", "instructions of a step"),
-            ("sines and cosines", "of which its sines and cosines"),
-            ("text", "code, bytes"),
-        ] {
-            let cell = |name: &&str| row(name)[key].as_u64().map_or("–".to_owned(), grouped);
-            let cells: Vec<String> = CONTENDERS.iter().map(cell).collect();
-            let _ = writeln!(text, "| {title} | {} |", cells.join(" | "));
-        }
-    }
-    text += "\n## Versions\n\n";
-    for (name, version) in json["versions"].as_object().into_iter().flatten() {
-        let _ = writeln!(text, "* {name}: {}", version.as_str().unwrap_or_default());
-    }
+    peers::tables(&mut text, &FILTER, json, &PER_STEP);
     text
 }
+
+/// Rows of the tables.
+const PER_STEP: [(&str, &str); 3] = [
+    ("instructions", "instructions of a step"),
+    ("sines and cosines", "of which its sines and cosines"),
+    ("text", "code, bytes"),
+];
