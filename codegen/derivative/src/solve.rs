@@ -252,6 +252,12 @@ impl Run<'_> {
             other => (self.plain(other, span)?.words(module), false),
         };
         let routine = self.function_of(kernel).kernel.as_ref().map(|it| it.routine);
+        // The way backwards needs the matrix, so its factors do not replace it.
+        let stays = self.backwards && routine == Some(LuSolve);
+        let kernel = match kernel_of(Solve, &b.ty).filter(|_| stays) {
+            Some(solve) => self.kernel_function(solve),
+            None => kernel,
+        };
         let read = match routine {
             Some(CholeskySolve) if !is_factor && a.value.is_active() => return Err(unknown(span)),
             Some(CholeskySolve) => Read::Symmetric,
@@ -271,14 +277,17 @@ impl Run<'_> {
         let is_transposed = matches!(routine, Some(TrSolveLower | TrSolveUpper));
         // The kernel of the derivatives leaves the matrix as it is.
         let factors = match routine {
-            Some(LuSolve) => Some(self.variable_of("factors", whole.clone())),
+            Some(LuSolve) if !stays => Some(self.variable_of("factors", whole.clone())),
             _ => None,
         };
         let kept = match &factors {
             Some(factors) => Argument::RefMut(factors.clone()),
             None => Argument::Ref(whole.clone()),
         };
-        let factors = factors.map(|it| self.factor(of.clone(), it));
+        let factors = match factors {
+            Some(place) => Some(self.factor(of.clone(), place)),
+            None => stays.then(|| Value::Factor(Factor { of: of.clone(), value: None })),
+        };
         let system = System { words: of, size: rows(&b.ty), read, is_transposed };
         let first = self.whole_value(b_value.clone(), &b.ty);
         let place = self.variable_of("solution", first);
@@ -445,7 +454,7 @@ impl Run<'_> {
     /// NaN for a singular matrix.
     pub fn slopes(&mut self, whole: Expr, size: usize, like: &Expr, span: Span) -> Vec<Expr> {
         let ty = whole.ty.clone();
-        let one = |at: usize| if at % (size + 1) == 0 { 1.0 } else { 0.0 };
+        let one = |at: usize| if at.is_multiple_of(size + 1) { 1.0 } else { 0.0 };
         let all = (0..size * size).map(|at| float(one(at), &like.ty, span));
         let identity = Expr { kind: ExprKind::Matrix(all.collect()), ty: ty.clone(), span };
         let inverse = self.variable_of("inverse", identity);

@@ -82,6 +82,8 @@ impl Run<'_> {
                 let each = (0..words.len()).map(|at| bars.remove(&(lower, at))).collect();
                 self.push_all(back, bars, a, each, None)
             }
+            // In place: the bars of the factor are the matrix's.
+            (Some(Cholesky), ..) => Ok(()),
             (Some(Determinant), [Argument::Ref(a)], Some(own)) => {
                 let Some(bar) = bars.remove(&(own, 0)) else { return Ok(()) };
                 let own = Expr::local(own, &bar.ty, span);

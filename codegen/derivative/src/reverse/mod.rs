@@ -34,7 +34,10 @@ use active::Active;
 use flat::Assigned;
 
 /// Bars of words, by local and number of the word.
-type Bars = BTreeMap<(LocalId, usize), Expr>;
+type Bars = BTreeMap<Key, Expr>;
+
+/// A word: its local, and its number in it.
+type Key = (LocalId, usize);
 
 /// Facts of the way forwards that the way backwards uses.
 struct Back {
@@ -354,8 +357,7 @@ impl Run<'_> {
             let written = self.captured(|run| run.block_backwards(back, &mut own, block))?;
             sides.push((written.0, own));
         }
-        let keys: BTreeSet<(LocalId, usize)> =
-            sides.iter().flat_map(|side| side.1.keys().copied()).collect();
+        let keys: BTreeSet<Key> = sides.iter().flat_map(|side| side.1.keys().copied()).collect();
         for key in keys {
             let ty = sides.iter().find_map(|side| Some(side.1.get(&key)?.ty.clone()));
             let Some(ty) = ty else { continue };
@@ -398,7 +400,7 @@ impl Run<'_> {
         let mut assigned = Assigned::default();
         assigned.block(body);
         // What the passes assign to each other, with a bar; found by passes on trial.
-        let mut carried: BTreeSet<(LocalId, usize)> =
+        let mut carried: BTreeSet<Key> =
             bars.keys().filter(|key| assigned.written.contains(&key.0)).copied().collect();
         if carried.is_empty() {
             return Ok(());
@@ -415,7 +417,7 @@ impl Run<'_> {
             }
         }
         let (mut own, places) = self.bars_of(&carried, span);
-        let mut sums: Vec<((LocalId, usize), Place)> = Vec::new();
+        let mut sums: Vec<(Key, Place)> = Vec::new();
         let (mut pass, ()) = self.captured(|run| {
             run.block_backwards(back, &mut own, body)?;
             for (key, bar) in &own {
@@ -459,22 +461,18 @@ impl Run<'_> {
     }
 
     /// Declares the bars of what passes assign to each other.
-    fn bars_of(
-        &mut self,
-        carried: &BTreeSet<(LocalId, usize)>,
-        span: Span,
-    ) -> (Bars, Vec<((LocalId, usize), Place)>) {
+    fn bars_of(&mut self, carried: &BTreeSet<Key>, span: Span) -> (Bars, Vec<(Key, Place)>) {
         let each = carried.iter().map(|key| {
             let declared = self.locals[key.0.index()].clone();
             let local = self.declare(&format!("{}_bar", declared.name), &declared.ty, span);
             (*key, Place::local(local, declared.ty, span))
         });
-        let places: Vec<((LocalId, usize), Place)> = each.collect();
+        let places: Vec<(Key, Place)> = each.collect();
         (places.iter().map(|(key, place)| (*key, place.load())).collect(), places)
     }
 
     /// Assigns the bars for the pass before.
-    fn next_bars(&mut self, own: &Bars, places: &[((LocalId, usize), Place)], span: Span) {
+    fn next_bars(&mut self, own: &Bars, places: &[(Key, Place)], span: Span) {
         let roots: BTreeSet<LocalId> = places.iter().map(|it| it.1.root).collect();
         let mut assigned = Vec::new();
         for (key, place) in places {

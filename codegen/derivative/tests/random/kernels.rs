@@ -54,7 +54,8 @@ pub fn run(routine: KernelRoutine, size: usize, operands: &mut [Vec<Dual>]) -> V
             upper(&a, &mut b, false);
         }
         Inverse => {
-            let one = |at: usize| Dual::new(if at % (size + 1) == 0 { 1.0 } else { 0.0 }, |_| 0.0);
+            let is_diagonal = |at: usize| at.is_multiple_of(size + 1);
+            let one = |at: usize| Dual::new(if is_diagonal(at) { 1.0 } else { 0.0 }, |_| 0.0);
             let mut inverse: Vec<Dual> = (0..size * size).map(one).collect();
             let mut out = Matrix { rows: size, all: &mut inverse };
             done = eliminate(&mut a, &mut out) != 0;
@@ -170,7 +171,7 @@ fn module(routine: KernelRoutine, size: usize, seed: u64) -> Module {
         format!("({weight:?} + {part:?} * ({of}))").replace("-", "0.0 - ").replace("+ 0.0 -", "-")
     };
     let elements = |list: Vec<String>| list.join(", ");
-    let own = |at: usize| if at % (size + 1) == 0 { 4.0 * size as f64 } else { 0.5 };
+    let own = |at: usize| if at.is_multiple_of(size + 1) { 4.0 * size as f64 } else { 0.5 };
     let a = elements((0..size * size).map(|at| element(own(at))).collect());
     let b = elements((0..size * cols).map(|_| element(1.0)).collect());
     let (square, right) =
@@ -248,6 +249,22 @@ fn module(routine: KernelRoutine, size: usize, seed: u64) -> Module {
          let b: {right} = matrix<{size}, {cols}>({b});\n{body}\n}}\n\
          fn jacobian in demo(x: &matrix<f64, 3, 1>, y: f64, n: usize) -> Triple as result {{\n}}"
     );
+    let squares = match width {
+        1 => "r * r".to_owned(),
+        _ => {
+            let at = |at: usize| format!("r[{0}, {1}] * r[{0}, {1}]", at % size, at / size);
+            (0..width).map(at).collect::<Vec<_>>().join(" + ")
+        }
+    };
+    let squares =
+        if result == "f64" { squares } else { squares.replace("r * r", "r[0, 0] * r[0, 0]") };
+    let _ = writeln!(
+        text,
+        "struct Slopes in demo {{ first: f64, second: matrix<f64, 3, 1>, third: f64 }}\n\
+         fn squared in demo(x: &matrix<f64, 3, 1>, y: f64, n: usize) -> f64 as result {{\n\
+         let r: {result} = subject(&x, y, n);\nreturn {squares};\n}}\n\
+         fn gradient in demo(x: &matrix<f64, 3, 1>, y: f64, n: usize) -> Slopes as result {{\n}}"
+    );
     parse(&text).unwrap_or_else(|error| panic!("{error:?}\n{text}"))
 }
 
@@ -290,6 +307,49 @@ fn kernels_have_the_derivatives_of_dual_numbers() {
         }
     }
     assert!(compared > 1000, "{compared}");
+}
+
+/// The gradient of a sum of squares goes through a kernel, or it is refused.
+#[test]
+fn kernels_have_the_gradients_of_dual_numbers() {
+    let with = ["lu_solve", "solve", "inverse", "determinant", "cholesky", "cholesky_lower"];
+    let without = ["solve_lower", "solve_upper", "tr_solve_lower", "tr_solve_upper"];
+    let mut refused = 0;
+    for (name, size) in with.into_iter().chain(without).flat_map(|it| (1..=5).map(move |n| (it, n)))
+    {
+        let routine = KernelRoutine::from_name(name).expect("it is a kernel");
+        for seed in 0..3 {
+            let module = module(routine, size, seed);
+            let (of, into) = (find(&module, "squared"), find(&module, "gradient"));
+            let request = Request { of, by: vec![0, 1], kind: Kind::Gradients, into };
+            let found = derivative(&module, &request);
+            if let (Err(problem), true) = (&found, without.contains(&name)) {
+                assert_eq!(problem.message, "this solution has no gradient", "{name}");
+                refused += 1;
+                continue;
+            }
+            let (mut derived, function) =
+                found.unwrap_or_else(|it| panic!("{name}: {}", it.message));
+            derived.functions[into.index()] = function;
+            for arguments in calls(seed) {
+                let (expected, _) = dual::call(&module, of, &arguments).expect("it is finite");
+                let found = Interpreter::new(&derived).call(into, &mut arguments.clone());
+                let found = found.expect("it runs");
+                let plain = Interpreter::new(&module).call(of, &mut arguments.clone());
+                assert_eq!(found[0], plain.expect("it runs")[0], "{name} {size}");
+                // The slopes of a determinant grow with its size.
+                let scale = 1.0 + expected[0].value().abs();
+                for (word, wanted) in found[1..].iter().zip(expected[0].tangents) {
+                    let found = f64::from_bits(*word);
+                    assert!(
+                        (found - wanted).abs() <= BOUND * (scale + wanted.abs()),
+                        "{name} {size} {seed}: {found:e}, not {wanted:e}"
+                    );
+                }
+            }
+        }
+    }
+    assert!(refused > 50, "{refused} were refused");
 }
 
 /// Without an inverse the matrix stays, and so do its derivatives; the elements of a factor have none.
