@@ -54,6 +54,13 @@ pub fn half(value: f64) -> f64 {
     value / 2.0
 }
 
+/// Called by the firmware alone, in which it is inlined.
+#[function]
+#[inline]
+pub fn grown(value: f64) -> f64 {
+    half(value).cosh()
+}
+
 #[component]
 impl Pump {
     /// Strokes of two cylinders: all of it, or nothing.
@@ -106,7 +113,8 @@ void board_pressures(float scale, float pressures[3])
 }
 ";
 
-const MAIN: &str = "#include \"pump.h\"
+const MAIN: &str = "#include \"bessemer_inline.h\"
+#include \"pump.h\"
 #include <stdio.h>
 int main(void)
 {
@@ -123,6 +131,7 @@ int main(void)
     printf(\"%a\\n\", (double)pump_pressure(&pump, 0.5F));
     printf(\"%d\\n\", (int)pump_reset(&pump, 9U));
     printf(\"%d\\n\", (int)PumpStroke(&pump, 0U, 1U, &times, &litres));
+    printf(\"%a\\n\", models_grown(0.0));
     return 0;
 }
 ";
@@ -197,6 +206,7 @@ fn what_is_asked_of_the_c_is_done() {
     assert_eq!(hex(numbers[3][0]), 1.0, "{lines}");
     assert_eq!(numbers[4], ["4"], "{lines}");
     assert_eq!(numbers[5], ["4"], "{lines}");
+    assert_eq!(hex(numbers[6][0]), 1.0, "{lines}");
 
     // The interpreter runs the stand-in, and rolls back, too.
     let stroke = entry(&compiled, "Pump", "stroke").expect("an entry point");

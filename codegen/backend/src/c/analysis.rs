@@ -147,14 +147,17 @@ pub fn reachable(
     let is_external = |id: FunctionId| module.functions[id.index()].attributes.external.is_some();
     let mut stands_in: Vec<bool> = ids().map(is_external).collect();
     follow(module, &mut stands_in, |_| true);
-    let package = module.name.replace('-', "_");
-    let is_own = |id: FunctionId| {
-        module.functions[id.index()].module.split("::").next() == Some(package.as_str())
-    };
+    let is_own = |id: FunctionId| is_own(module, &module.functions[id.index()]);
     let is_root = |id: FunctionId| is_extern(id) && (!stands_in[id.index()] || is_own(id));
     let mut reached: Vec<bool> = ids().map(is_root).collect();
     follow(module, &mut reached, |id| !is_external(id) && !is_library(id));
     reached
+}
+
+/// Returns true for a function of the package, and false for one of another crate.
+pub fn is_own(module: &Module, function: &Function) -> bool {
+    let package = module.name.replace('-', "_");
+    function.module.split("::").next() == Some(package.as_str())
 }
 
 /// Marks the callees of marked functions; `through` selects the functions whose callees are followed.

@@ -72,6 +72,7 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
         }
     }
     let (inline, mut uses) = inline::shared(context, options, &called);
+    let computes = inline.is_some();
     drafts.extend(inline);
     let reports = |draft: &Draft| draft.includes.own.contains(&context.names.status.header);
     if context.faults.any() || drafts.iter().any(reports) {
@@ -85,7 +86,7 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     consts.extend(sizes::named(context.module));
     consts.extend(sizes::names(context.module));
     list.extend(constants::shared(context, options, &consts));
-    if list.iter().any(|file| file.name.ends_with(".c")) {
+    if computes || list.iter().any(|file| file.name.ends_with(".c")) {
         list.push(target::header(context, options));
     }
     list.extend(self_test::files(context, options));
@@ -166,14 +167,14 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
     units
 }
 
-/// Returns true for each function that a file defines or a library provides. Annotated functions are always included;
-/// elementary functions only if they are called.
+/// Returns true for each function that a file defines or a library provides. Annotated functions are always included,
+/// except private inline ones; elementary functions only if they are called.
 pub fn reached(context: Context<'_>) -> Vec<bool> {
     let (module, names) = (context.module, context.names);
     let storage = |id: FunctionId| names.signature(id).storage;
     let is_root = |id: FunctionId| {
         let spare = names.has_library() && is_mathematics(&module.functions[id.index()].module);
-        storage(id) == Storage::Extern && !spare
+        (storage(id) == Storage::Extern || inline::is_for_firmware(context, id)) && !spare
     };
     let is_library = |id| storage(id) == Storage::Library || !names.signature(id).parts.is_empty();
     reachable(module, is_root, is_library)
