@@ -11,6 +11,25 @@
 void bench_begin(void);
 void bench_end(void);
 
+/* Returns a number of which the compiler knows nothing, in a register of the caller. */
+static inline float unknown(float number)
+{
+#if defined(__arm__)
+    __asm__ volatile("" : "+t"(number));
+#endif
+    return number;
+}
+
+/* Has the compiler compute a number here. */
+static inline void computed(float number)
+{
+#if defined(__arm__)
+    __asm__ volatile("" : : "t"(number));
+#else
+    (void)number;
+#endif
+}
+
 /* Writes the results of a job, each as a word with the bits of the number. */
 void report(const float *results, size_t count);
 

@@ -11,6 +11,7 @@
 #define ALONE __attribute__((noipa))
 
 static arm_pid_instance_f32 pid = {.A0 = 1.5f, .A1 = -2.0f, .A2 = 0.75f};
+static arm_pid_instance_f32 inlined = {.A0 = 1.5f, .A1 = -2.0f, .A2 = 0.75f};
 static float coefficients[5 * SECTIONS];
 static float states[4 * SECTIONS];
 static float taps[TAPS];
@@ -27,8 +28,7 @@ ALONE static float pid_step(float error)
     return arm_pid_f32(&pid, error);
 }
 
-ALONE static void clarke_park(
-    float a, float b, float sine, float cosine, float out[2])
+static inline void transformed(float a, float b, float sine, float cosine, float out[2])
 {
     float alpha = 0.0f;
     float beta = 0.0f;
@@ -36,9 +36,46 @@ ALONE static void clarke_park(
     arm_park_f32(alpha, beta, &out[0], &out[1], sine, cosine);
 }
 
+ALONE static void clarke_park(
+    float a, float b, float sine, float cosine, float out[2])
+{
+    transformed(a, b, sine, cosine, out);
+}
+
 ALONE static void clarke_park_at(float a, float b, float angle, float out[2])
 {
     clarke_park(a, b, arm_sin_f32(angle), arm_cos_f32(angle), out);
+}
+
+/* Functions inlined in their caller, which has every argument in a register. */
+static void __attribute__((noinline)) run_inlined_step(void)
+{
+    for (size_t i = 0; i < PERIODS; i++) {
+        const float error = unknown(1.0f - 0.25f * (float)i);
+        bench_begin();
+        const float out = arm_pid_f32(&inlined, error);
+        computed(out);
+        bench_end();
+        report(&out, 1);
+    }
+}
+
+static void __attribute__((noinline)) run_inlined_transforms(void)
+{
+    const float a = unknown(0.5f);
+    const float b = unknown(-0.25f);
+    const float sine = unknown(0.6f);
+    const float cosine = unknown(0.8f);
+    float turned[2];
+    bench_begin();
+    transformed(a, b, sine, cosine, turned);
+    const float direct = turned[0];
+    const float quadrature = turned[1];
+    computed(direct);
+    computed(quadrature);
+    bench_end();
+    report(&direct, 1);
+    report(&quadrature, 1);
 }
 
 static void run_blocks(void)
@@ -87,6 +124,26 @@ ALONE static void definite(void)
     (void)arm_mat_solve_upper_triangular_f32(&u, &y, &x);
 }
 
+/* Both forms have one peer. The library's exponential is newlib's for each element of a vector. */
+static void run_elementary(void)
+{
+    for (size_t i = 0; i < 2; i++) {
+        float angle = 0.0f;
+        bench_begin();
+        (void)arm_atan2_f32(0.7f, -0.4f, &angle);
+        bench_end();
+        report(&angle, 1);
+    }
+    const float exponent = 0.7f;
+    for (size_t i = 0; i < 2; i++) {
+        float power = 0.0f;
+        bench_begin();
+        arm_vexp_f32(&exponent, &power, 1);
+        bench_end();
+        report(&power, 1);
+    }
+}
+
 /* Its matrices are by rows: a product of the transposes has the factors exchanged. */
 void run_jobs(void)
 {
@@ -97,12 +154,14 @@ void run_jobs(void)
         bench_end();
         report(&out, 1);
     }
+    run_inlined_step();
     run_blocks();
 
     bench_begin();
     clarke_park(0.5f, -0.25f, 0.6f, 0.8f, output);
     bench_end();
     report(output, 2);
+    run_inlined_transforms();
     bench_begin();
     clarke_park_at(0.5f, -0.25f, 0.7f, output);
     bench_end();
@@ -120,6 +179,7 @@ void run_jobs(void)
     const float fast = arm_sin_f32(0.7f);
     bench_end();
     report(&fast, 1);
+    run_elementary();
 
     fill(first, 12 * 12, 3U);
     fill(second, 12 * 12, 4U);

@@ -3,6 +3,7 @@
  */
 #include "dsp_inputs.h"
 
+#include "bessemer_inline.h"
 #include "direct_cascade.h"
 #include "fir.h"
 #include "models.h"
@@ -12,6 +13,7 @@
 #include <string.h>
 
 static regulator_t pid;
+static memory_t inlined;
 static const gains_t gains = {1.5f, -2.0f, 0.75f};
 static section_t sections[SECTIONS];
 static direct_cascade_t direct;
@@ -26,6 +28,37 @@ static float result[12 * 12];
 static option_cholesky_factor_f32_12_t factor;
 static solve_f32_8_work_t work_8;
 static solve_f32_20_work_t work_20;
+
+/* Functions inlined in their caller, which has every argument in a register. */
+static void __attribute__((noinline)) run_inlined_step(void)
+{
+    for (size_t i = 0; i < PERIODS; i++) {
+        const float error = unknown(1.0f - 0.25f * (float)i);
+        bench_begin();
+        const float out = memory_advance(&inlined, &gains, error);
+        computed(out);
+        bench_end();
+        report(&out, 1);
+    }
+}
+
+static void __attribute__((noinline)) run_inlined_transforms(void)
+{
+    const float a = unknown(0.5f);
+    const float b = unknown(-0.25f);
+    const float sine = unknown(0.6f);
+    const float cosine = unknown(0.8f);
+    float turned[2];
+    bench_begin();
+    models_transformed(a, b, sine, cosine, turned);
+    const float direct = turned[0];
+    const float quadrature = turned[1];
+    computed(direct);
+    computed(quadrature);
+    bench_end();
+    report(&direct, 1);
+    report(&quadrature, 1);
+}
 
 static void run_blocks(void)
 {
@@ -91,6 +124,26 @@ static void run_systems(void)
     }
 }
 
+static void run_elementary(void)
+{
+    bench_begin();
+    const float angle = models_angle(0.7f, -0.4f);
+    bench_end();
+    report(&angle, 1);
+    bench_begin();
+    const float fast_angle = models_angle_fast(0.7f, -0.4f);
+    bench_end();
+    report(&fast_angle, 1);
+    bench_begin();
+    const float power = models_power(0.7f);
+    bench_end();
+    report(&power, 1);
+    bench_begin();
+    const float fast_power = models_power_fast(0.7f);
+    bench_end();
+    report(&fast_power, 1);
+}
+
 void run_jobs(void)
 {
     for (size_t i = 0; i < PERIODS; i++) {
@@ -100,12 +153,14 @@ void run_jobs(void)
         bench_end();
         report(&out, 1);
     }
+    run_inlined_step();
     run_blocks();
 
     bench_begin();
     models_clarke_park(0.5f, -0.25f, 0.6f, 0.8f, output);
     bench_end();
     report(output, 2);
+    run_inlined_transforms();
     bench_begin();
     models_clarke_park_at(0.5f, -0.25f, 0.7f, output);
     bench_end();
@@ -123,6 +178,7 @@ void run_jobs(void)
     const float fast = models_sine_fast(0.7f);
     bench_end();
     report(&fast, 1);
+    run_elementary();
 
     fill(first, 12 * 12, 3U);
     fill(second, 12 * 12, 4U);

@@ -21,13 +21,34 @@ pub struct Gains {
     pub a2: f32,
 }
 
+/// The memory of a PID controller in incremental form.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Memory {
+    pub last: f32,
+    pub before: f32,
+    pub output: f32,
+}
+
+#[data]
+impl Memory {
+    /// Advances one period; firmware may inline it.
+    #[inline]
+    pub fn advance(&mut self, gains: &Gains, error: f32) -> f32 {
+        let output =
+            gains.a0 * error + gains.a1 * self.last + gains.a2 * self.before + self.output;
+        self.before = self.last;
+        self.last = error;
+        self.output = output;
+        output
+    }
+}
+
 /// A PID controller in incremental form.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Regulator {
-    pub last: f32,
-    pub before: f32,
-    pub output: f32,
+    pub memory: Memory,
 }
 
 #[component]
@@ -35,12 +56,7 @@ impl Regulator {
     /// Advances one period.
     #[entry(infallible)]
     pub fn step(&mut self, gains: &Gains, error: f32) -> f32 {
-        let output =
-            gains.a0 * error + gains.a1 * self.last + gains.a2 * self.before + self.output;
-        self.before = self.last;
-        self.last = error;
-        self.output = output;
-        output
+        self.memory.advance(gains, error)
     }
 }
 
@@ -162,19 +178,26 @@ impl Fir {
     }
 }
 
-/// Two of three phase currents in the rotor's frame.
+/// Two of three phase currents in the rotor's frame; firmware may inline it.
 #[function]
-pub fn clarke_park(a: f32, b: f32, sine: f32, cosine: f32) -> Vector2<f32> {
+#[inline]
+pub fn transformed(a: f32, b: f32, sine: f32, cosine: f32) -> Vector2<f32> {
     let alpha = a;
     let beta = 0.577_350_26 * a + 1.154_700_5 * b;
     Vector2::new(alpha * cosine + beta * sine, -alpha * sine + beta * cosine)
+}
+
+/// Two of three phase currents in the rotor's frame.
+#[function]
+pub fn clarke_park(a: f32, b: f32, sine: f32, cosine: f32) -> Vector2<f32> {
+    transformed(a, b, sine, cosine)
 }
 
 /// Two of three phase currents in the frame of a rotor at `angle`.
 #[function]
 pub fn clarke_park_at(a: f32, b: f32, angle: f32) -> Vector2<f32> {
     let (sine, cosine) = angle.sin_cos();
-    clarke_park(a, b, sine, cosine)
+    transformed(a, b, sine, cosine)
 }
 
 /// A sine.
@@ -193,7 +216,31 @@ pub fn sine_fast(angle: f32) -> f32 {
 #[function]
 pub fn clarke_park_fast(a: f32, b: f32, angle: f32) -> Vector2<f32> {
     let (sine, cosine) = bessemer::fast::sin_cos(angle);
-    clarke_park(a, b, sine, cosine)
+    transformed(a, b, sine, cosine)
+}
+
+/// The angle of a point.
+#[function]
+pub fn angle(y: f32, x: f32) -> f32 {
+    y.atan2(x)
+}
+
+/// The angle of a point, in the fast form.
+#[function]
+pub fn angle_fast(y: f32, x: f32) -> f32 {
+    bessemer::fast::atan2(y, x)
+}
+
+/// A power of e.
+#[function]
+pub fn power(x: f32) -> f32 {
+    x.exp()
+}
+
+/// A power of e, in the fast form.
+#[function]
+pub fn power_fast(x: f32) -> f32 {
+    bessemer::fast::exp(x)
 }
 
 /// A product.

@@ -434,4 +434,5 @@ constant("ANGLE_STEP_HIGH", narrow_step, "π/64 in 13 bits: a multiple by up to 
 constant("ANGLE_STEP_LOW", rounded(fast_step - narrow_step, 24), "π/64 less [`ANGLE_STEP_HIGH`].", "f32")
 table("ANGLE_SINES", [exact(sin(k * pi / 64)) for k in range(160)],
       "sin(k·π/64) for k from 0 to 159; the cosine of an angle is the sine 32 elements behind.", "f32", shared=True)
+polynomial("ARCTANGENT_OF_RATIO", odd(atan), 7, 0, 1, "(atan x − x)/x³ in powers of x², to 1.", "f32")
 files.close()

@@ -16,12 +16,14 @@ fn columns(machine: Machine) -> &'static [&'static str] {
 
 /// Reasons for the counts of the short jobs, from their assembly.
 const NOTES: &str = "\n## Short jobs\n\n\
-    Each count has the call and its arguments: six instructions of the PID step, seven of the transforms. The functions themselves have 17 and 14. \
-    Without contraction\nthe first loads six numbers, has six operations, stores three numbers and returns, which is 16: one move is gcc's. The second has two \
-    constants, nine operations,\ntwo stores and a return, which is 14. Fewer instructions take fused multiply-adds, whose bits are others than the Rust's, or \
-    `VMLA`, which rounds twice as the\nRust does: `-mtune=cortex-a9` uses it, for 15 and 11 instructions. gcc does not for a Cortex-M4, where it takes three \
-    cycles, and a product and a\nsum take two.\nA function of CMSIS-DSP that is measured alone is neither inlined nor specialised for the constants of its \
-    call, as the emitted one is not.\n";
+    A count has the call and its arguments, which are more than a third of a short function's. So PID step and transforms are measured \
+    twice:\ncalled as a function of a library, neither inlined nor specialised for the constants of the call, and inlined in a caller \
+    that has every\nargument in a register. A function that its author marks `#[inline]` is in `bessemer_inline.h`, from which firmware \
+    inlines it; CMSIS-DSP's\nare in its headers. Both counts have the call of the mark behind the job.\n\n\
+    Without contraction the PID step loads six numbers, has six operations and stores three numbers; the transforms have two constants \
+    and\nnine operations. Fewer instructions take fused multiply-adds, whose bits are others than the Rust's, or `VMLA`, which rounds \
+    twice as the\nRust does: `-mtune=cortex-a9` uses it. gcc does not for a Cortex-M4, where it takes three cycles, and a product and a \
+    sum take two.\n";
 
 /// Returns the page of a result file.
 pub fn markdown(json: &Value) -> String {

@@ -29,8 +29,10 @@ pub struct Contender {
 /// Sources of CMSIS-DSP that the jobs need.
 const CMSIS: &[&str] = &[
     "Source/CommonTables/arm_common_tables.c",
+    "Source/FastMathFunctions/arm_atan2_f32.c",
     "Source/FastMathFunctions/arm_cos_f32.c",
     "Source/FastMathFunctions/arm_sin_f32.c",
+    "Source/FastMathFunctions/arm_vexp_f32.c",
     "Source/FilteringFunctions/arm_biquad_cascade_df1_f32.c",
     "Source/FilteringFunctions/arm_biquad_cascade_df1_init_f32.c",
     "Source/FilteringFunctions/arm_biquad_cascade_df2T_f32.c",

@@ -10,6 +10,12 @@ pub fn turned(angle: f32) -> [f32; 4] {
     [fast::sin(angle), fast::cos(angle), sine, cosine]
 }
 
+/// A power of e, and the angle of a point.
+#[function]
+pub fn grown(x: f32, y: f32) -> [f32; 2] {
+    [fast::exp(x), fast::atan2(y, x)]
+}
+
 /// A rotating field.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
