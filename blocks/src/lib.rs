@@ -33,6 +33,7 @@
 
 #![no_std]
 
+pub mod admm;
 pub mod attitude;
 pub mod bytes;
 pub mod calculus;
@@ -43,11 +44,13 @@ pub mod limits;
 pub mod logic;
 pub mod machine;
 pub mod pid;
+pub mod quadratic;
 pub mod spectrum;
 pub mod tables;
 pub mod trajectories;
 pub mod windows;
 
+pub use admm::*;
 pub use attitude::*;
 pub use bytes::*;
 pub use calculus::*;
@@ -58,6 +61,7 @@ pub use limits::*;
 pub use logic::*;
 pub use machine::*;
 pub use pid::*;
+pub use quadratic::*;
 pub use spectrum::*;
 pub use tables::*;
 pub use trajectories::*;

@@ -21,10 +21,12 @@
 pub mod constants;
 pub mod filters;
 pub mod models;
+pub mod predictive;
 pub mod regulators;
 pub mod responses;
 
 pub use filters::*;
 pub use models::*;
+pub use predictive::*;
 pub use regulators::*;
 pub use responses::*;

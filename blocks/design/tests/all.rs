@@ -110,6 +110,78 @@ fn responses_and_their_plot() {
     assert!(picture.starts_with("<svg") && picture.matches("<polyline").count() >= 2);
 }
 
+/// Compares constants that a model of the book includes with designed ones.
+fn stored(name: &str, text: &str) {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/corpus/src/programs/blocks");
+    let path = format!("{folder}/{name}.in");
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        std::fs::write(&path, text).expect("the constants are written");
+    }
+    // The last digits may differ on another machine.
+    let numbers = |text: &str| -> Vec<f64> {
+        let words = text.split(|it: char| !(it.is_ascii_digit() || "+-.e".contains(it)));
+        words.filter_map(|word| word.parse().ok()).collect()
+    };
+    let stored = numbers(&std::fs::read_to_string(path).expect("the constants are there"));
+    let found = numbers(text);
+    assert_eq!(stored.len(), found.len());
+    for (stored, found) in stored.iter().zip(&found) {
+        assert!((stored - found).abs() <= 1e-12 * found.abs().max(1.0), "{stored} is not {found}");
+    }
+}
+
+/// The cart of [`the_constants_of_the_example_are_designed`], predicted over eight periods of 100 ms.
+fn predicted() -> (Condensed<2, 8, 16>, nalgebra::RowVector2<f64>) {
+    let (a, b) = (nalgebra::Matrix2::new(0.0, 1.0, 0.0, -0.5), nalgebra::Vector2::new(0.0, 2.0));
+    let (transition, input) = zero_order_hold(&a, &b, 0.1);
+    let (q, r) = (nalgebra::Matrix2::new(100.0, 0.0, 0.0, 1.0), Matrix1::new(0.1));
+    let last = dare(&transition, &input, &q, &r).expect("a solution");
+    let speed = nalgebra::RowVector2::new(0.0, 1.0);
+    let program = condensed((&transition, &input, &speed), (&q, &r, &last)).expect("its sizes");
+    (program, lqr(&transition, &input, &q, &r).expect("a gain"))
+}
+
+/// Without limits, a prediction with the regulator's cost at its end is the regulator.
+#[test]
+fn predictions_without_limits_are_the_regulator() {
+    let (program, gain) = predicted();
+    let state = nalgebra::Vector2::new(0.3, -0.2);
+    let inputs = program.hessian.try_inverse().expect("definite") * -(program.gradient * state);
+    assert!((inputs[0] + (gain * state)[0]).abs() < 1e-10, "{inputs}");
+    // The rows are the inputs, and the speeds that they cause.
+    let (transition, input) = zero_order_hold(
+        &nalgebra::Matrix2::new(0.0, 1.0, 0.0, -0.5),
+        &nalgebra::Vector2::new(0.0, 2.0),
+        0.1,
+    );
+    let (rows, mut state_then) = (program.rows * inputs + program.offset * state, state);
+    for k in 0..8 {
+        state_then = transition * state_then + input * inputs[k];
+        assert_eq!(rows[k], inputs[k]);
+        assert!((rows[8 + k] - state_then.y).abs() < 1e-12, "{k}");
+    }
+    let wrong: Option<Condensed<2, 8, 15>> = condensed(
+        (&transition, &input, &nalgebra::RowVector2::new(0.0, 1.0)),
+        (&transition, &Matrix1::new(1.0), &transition),
+    );
+    assert_eq!(wrong, None);
+}
+
+/// The constants of the book's predictive control.
+#[test]
+fn the_prediction_of_the_example_is_designed() {
+    let (program, _) = predicted();
+    let solver = bessemer_blocks::ActiveSetProgram::new(&program.hessian, &program.rows, 1e-6);
+    let solver = solver.expect("definite");
+    let text = Constants::new()
+        .matrix("GRADIENT", "Gradient of the cost for each state", &program.gradient)
+        .matrix("OFFSET", "Inputs and speeds for each state", &program.offset)
+        .matrix("INVERSE", "L⁻ᵀ of the solver", &solver.inverse)
+        .matrix("ROWS", "Rows of the solver", &solver.rows)
+        .text();
+    stored("predicted", &text);
+}
+
 /// The constants of the book's example, which the model includes.
 #[test]
 fn the_constants_of_the_example_are_designed() {
@@ -132,22 +204,7 @@ fn the_constants_of_the_example_are_designed() {
             &butterworth(Kind::LowPass, 3, 5.0, 100.0),
         )
         .text();
-    let path =
-        concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/corpus/src/programs/blocks/designed.in");
-    if std::env::var_os("UPDATE_DOCS").is_some() {
-        std::fs::write(path, &text).expect("the constants are written");
-    }
-    // The last digits may differ on another machine.
-    let numbers = |text: &str| -> Vec<f64> {
-        let words = text.split(|it: char| !(it.is_ascii_digit() || "+-.e".contains(it)));
-        words.filter_map(|word| word.parse().ok()).collect()
-    };
-    let stored = numbers(&std::fs::read_to_string(path).expect("the constants are there"));
-    let found = numbers(&text);
-    assert_eq!(stored.len(), found.len());
-    for (stored, found) in stored.iter().zip(&found) {
-        assert!((stored - found).abs() <= 1e-12 * found.abs().max(1.0), "{stored} is not {found}");
-    }
+    stored("designed", &text);
     let single = Constants::single().number("SHARE", "Share of the way", 0.1).text();
     assert_eq!(single, "/// Share of the way.\npub const SHARE: f32 = 0.1;\n");
 }

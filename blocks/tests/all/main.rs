@@ -8,4 +8,5 @@ mod earth;
 mod laws;
 mod machines;
 mod motions;
+mod programs;
 mod signals;

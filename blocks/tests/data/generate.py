@@ -1,6 +1,6 @@
 """Writes the reference values of `bessemer-blocks` beside this file, by independent implementations.
 
-pip install numpy==2.4.6 scipy==1.17.1 AHRS==0.4.0 pymap3d==3.2.0 cantools==45.1.0 control==0.10.2 && python3 generate.py
+pip install numpy==2.4.6 scipy==1.17.1 AHRS==0.4.0 pymap3d==3.2.0 cantools==45.1.0 control==0.10.2 clarabel==0.11.1 && python3 generate.py
 
 A line is a name and its numbers. `blocks/tests/` reads the files, so that the tests need no Python.
 """
@@ -11,10 +11,11 @@ import zlib
 
 import ahrs
 import cantools
+import clarabel
 import control
 import numpy as np
 import pymap3d
-from scipy import integrate, interpolate, optimize, signal
+from scipy import integrate, interpolate, optimize, signal, sparse
 from scipy.spatial.transform import Rotation
 
 HERE = pathlib.Path(__file__).parent
@@ -338,5 +339,57 @@ def design():
     write("design", values, HERE.parent.parent / "design" / "tests")
 
 
-for family in [controllers, filters, windows, limits, tables, trajectories, drives, attitude, frames, bytes_, spectrum, design]:
+def minimum(hessian, gradient, rows, low, high, cones=0, size=3):
+    """The minimum, or nothing, by Clarabel's interior point; the last rows are cones."""
+    limits = len(rows) - cones * size
+    finite_high, finite_low = np.isfinite(high[:limits]), np.isfinite(low[:limits])
+    above, below = rows[:limits][finite_high], rows[:limits][finite_low]
+    matrix = np.concatenate([above, -below, -rows[limits:]])
+    right = np.concatenate([high[:limits][finite_high], -low[:limits][finite_low], -low[limits:]])
+    kinds = [clarabel.NonnegativeConeT(len(above) + len(below))]
+    kinds += [clarabel.SecondOrderConeT(size)] * cones
+    settings = clarabel.DefaultSettings()
+    settings.verbose = False
+    settings.tol_gap_abs = settings.tol_gap_rel = settings.tol_feas = 1e-12
+    found = clarabel.DefaultSolver(
+        sparse.csc_matrix(np.triu(hessian)), gradient, sparse.csc_matrix(matrix), right, kinds, settings
+    ).solve()
+    if str(found.status) == "PrimalInfeasible":
+        return []
+    assert str(found.status) in ("Solved", "AlmostSolved"), found.status
+    return found.x
+
+
+def programs():
+    """Quadratic programs of 6 variables and 10 rows, by an interior point: limits alone, and with cones."""
+    rng = np.random.default_rng(71)
+    n, m = 6, 10
+    square = rng.normal(size=(n, n)).round(3)
+    hessian = square @ square.T + np.eye(n)
+    rows = rng.normal(size=(m, n)).round(3)
+    rows[9] = rows[8]
+    values = {"hessian": hessian, "rows": rows}
+    for index in range(16):
+        gradient = (6 * rng.normal(size=n)).round(3)
+        middle = (rows @ rng.normal(size=n)).round(3)
+        width = rng.uniform(0.02, 1.0, size=m).round(3)
+        low, high = middle - width, middle + width
+        low[7], high[6] = -np.inf, np.inf
+        if index % 3 == 1:
+            low[0] = high[0]
+        if index % 5 == 4:
+            low[9] = high[8] + 0.1
+            high[9] = low[9] + 1.0
+        values[f"gradient_{index}"], values[f"low_{index}"], values[f"high_{index}"] = gradient, low, high
+        values[f"point_{index}"] = minimum(hessian, gradient, rows, low, high)
+        offset = middle - np.where(np.arange(m) % 3 == 1, 0.3, 0.0)
+        offset[:4] = low[:4]
+        if index % 5 == 4:
+            offset[0] = high[0] + 0.5
+        values[f"cone_low_{index}"] = offset
+        values[f"cone_point_{index}"] = minimum(hessian, gradient, rows, offset, high, 2)
+    write("programs", values)
+
+
+for family in [controllers, filters, windows, limits, tables, trajectories, drives, attitude, frames, bytes_, spectrum, programs, design]:
     family()

@@ -62,3 +62,9 @@ pub type RingBufferCost = blocks::RingBuffer<f32, 16>;
 /// `Rates` of four tasks.
 #[component]
 pub type RatesCost = blocks::Rates<4>;
+/// `ActiveSet` of 8 variables and 16 rows, for 12 changes.
+#[component]
+pub type ActiveSetCost = blocks::ActiveSet<f32, 8, 16, 12>;
+/// `Admm` of 8 variables and 16 rows, of which 6 are two cones, for 20 iterations.
+#[component]
+pub type AdmmCost = blocks::Admm<f32, 8, 16, 2, 3, 20>;

@@ -268,7 +268,7 @@ mod tests {
             ("CRC", "blocks/bytes"),
             ("CAN signals", "blocks/bytes"),
             ("FFT", "blocks/spectrum"),
-            ("MPC", "algorithms/active_set"),
+            ("MPC", "blocks/quadratic"),
             ("hysteresis", "blocks/limits"),
             ("notch", "blocks/filters"),
             ("moving average", "blocks/windows"),
