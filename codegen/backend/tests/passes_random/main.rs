@@ -2,12 +2,13 @@
 //! faults by itself.
 
 mod generate;
+mod tiled;
 
 use bessemer_backend::passes::{Choices, Report, check, explicit, explicit_with};
 use bessemer_backend::validate::validate;
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::visit::{VisitMut, walk_stmt_mut};
-use bessemer_ir::{FunctionId, Module, Stmt, StmtKind, Type};
+use bessemer_ir::{Function, FunctionId, Local, Module, Stmt, StmtKind, Type};
 use generate::Random;
 
 /// Marks checks, to tell their faults from an operation's.
@@ -42,6 +43,7 @@ struct Count {
     runs: usize,
     faults: usize,
     checks: usize,
+    tiled: usize,
 }
 
 /// For a look at what fails: the modules go to files.
@@ -69,13 +71,21 @@ fn passed(before: &Module, seed: u64, count: &mut Count) -> Module {
     after
 }
 
-fn compare(seed: u64, count: &mut Count) {
-    let before = generate::module(seed);
+/// Compares a module before and after the passes, with these arguments of each function.
+fn compare(
+    seed: u64,
+    before: Module,
+    arguments: impl Fn(&Module, usize, &mut Random) -> Vec<Vec<u64>>,
+    count: &mut Count,
+) {
     if validate(&before).is_err() {
         return;
     }
     count.modules += 1;
     let mut after = passed(&before, seed, count);
+    let is_tile = |local: &Local| ["tile", "part"].contains(&&*local.name);
+    let has_tiles = |function: &&Function| function.locals.iter().any(is_tile);
+    count.tiled += after.functions.iter().filter(has_tiles).count();
     after.functions.iter_mut().for_each(|function| Mark.block(&mut function.body));
     // This module keeps the proved checks.
     let (kept, _) = explicit_with(before.clone(), Choices::KEPT).expect("explicit before");
@@ -137,12 +147,28 @@ fn meaning_is_kept() {
         std::env::var("PASSES_SEEDS").ok().and_then(|text| text.parse().ok()).unwrap_or(400);
     let first = std::env::var("PASSES_FIRST").ok().and_then(|text| text.parse().ok()).unwrap_or(0);
     for seed in first..first + seeds {
-        compare(seed, &mut count);
+        compare(seed, generate::module(seed), arguments, &mut count);
     }
-    let Count { modules, runs, faults, checks } = count;
+    let Count { modules, runs, faults, checks, .. } = count;
     println!(
         "{modules} of {seeds} modules valid, {runs} runs, {faults} faults, {checks} checks left"
     );
     assert!(modules > seeds as usize * 9 / 10, "{modules} valid modules of {seeds}");
     assert!(faults > runs / 10 && faults < runs * 9 / 10, "{faults} faults in {runs} runs");
+}
+
+#[test]
+fn tiled_loops_keep_the_order_of_each_sum() {
+    let mut count = Count::default();
+    let seeds = std::env::var("PASSES_SEEDS").map_or(200, |text| text.parse().expect("a number"));
+    for seed in 0..seeds {
+        compare(seed, tiled::module(seed), |_, _, random| tiled::arguments(random), &mut count);
+    }
+    let Count { modules, runs, faults, tiled, .. } = count;
+    println!("{modules} of {seeds} modules valid, {runs} runs, {faults} faults, {tiled} tiled");
+    assert_eq!(modules, seeds as usize);
+    assert!(
+        tiled > modules / 2 && tiled < modules * 5 / 2,
+        "{tiled} functions tiled of {modules} × 3"
+    );
 }
