@@ -4,7 +4,7 @@
 
 use std::collections::HashSet;
 
-use bessemer_ir::tree::{self, DefinitionKind, Package, Site, TemplateKind, Ty};
+use bessemer_ir::tree::{self, Callee, DefinitionKind, Package, Site, TemplateKind, Ty};
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{Const, ConstId, Function, Module, Owner, Role, Span, Type};
 
@@ -17,7 +17,7 @@ const FEW: usize = 8;
 
 /// Returns the remarks on a package that became `module`, in the order of the source.
 pub fn of(package: &Package, module: &Module) -> Vec<Diagnostic> {
-    let mut reported: Vec<Diagnostic> = templates(package).collect();
+    let mut reported: Vec<Diagnostic> = templates(package).chain(with_closures(package)).collect();
     let idle: Vec<&tree::Definition> = idle(package).collect();
     reported.extend(idle.iter().map(|it| {
         warning(
@@ -36,7 +36,8 @@ pub fn of(package: &Package, module: &Module) -> Vec<Diagnostic> {
 
 /// Returns the reasons why a package yields no C at all, though something in it is marked.
 pub fn reasons(package: &Package) -> impl Iterator<Item = Diagnostic> {
-    templates(package).map(|it| Diagnostic { level: Level::Error, ..it })
+    let all = templates(package).chain(with_closures(package));
+    all.map(|it| Diagnostic { level: Level::Error, ..it })
 }
 
 fn warning(file: &str, Site(line, column): Site, message: String, help: &str) -> Diagnostic {
@@ -56,9 +57,10 @@ fn templates(package: &Package) -> impl Iterator<Item = Diagnostic> {
                 |it: &tree::Definition| it.name == template.name && it.module == template.module;
             package.types.iter().any(same)
         }
-        TemplateKind::Function => package.functions.iter().any(|it| {
-            it.owner.is_none() && it.tree.name == template.name && it.module == template.module
-        }),
+        TemplateKind::Function | TemplateKind::Method => package
+            .functions
+            .iter()
+            .any(|it| (&it.file, it.tree.site) == (&template.file, template.site)),
     };
     package.templates.iter().filter(is_own).filter(move |it| !is_made(it)).map(|it| {
         let name = &it.name;
@@ -71,12 +73,39 @@ fn templates(package: &Package) -> impl Iterator<Item = Diagnostic> {
                 format!("the type `{name}` is generic and has no instance: its methods are neither checked nor in the C"),
                 "use it with a concrete type in a marked function or type, or remove it".to_owned(),
             ),
-            TemplateKind::Function => (
+            TemplateKind::Function | TemplateKind::Method => (
                 format!("`{name}` is generic and no marked function calls it: it is neither checked nor in the C"),
                 "call it in a marked function, with the types for which it is meant, or remove it".to_owned(),
             ),
         };
         warning(&it.file, it.site, message, &help)
+    })
+}
+
+/// Returns functions of this package that take a closure or an iterator and are not called: the C has a copy for each
+/// call.
+fn with_closures(package: &Package) -> impl Iterator<Item = Diagnostic> {
+    let root = package.name.replace('-', "_");
+    let is_own = move |it: &&tree::Function| it.module.split("::").next() == Some(&*root);
+    let mut called = HashSet::new();
+    for function in &package.functions {
+        let by_operators = function.operators.iter().map(|(_, callee)| callee);
+        called.extend(function.callees.iter().chain(by_operators).filter_map(|it| match it {
+            Callee::Function(path) => Some(path.as_str()),
+            Callee::Builtin(_) => None,
+        }));
+    }
+    let functions = package.functions.iter().filter(is_own);
+    functions.filter(move |it| !called.contains(it.path.as_str())).filter_map(|it| {
+        let param = it.tree.params.iter().find(|param| param.closure)?;
+        let what = if param.items { "an iterator" } else { "a closure" };
+        let name = &it.tree.name;
+        Some(warning(
+            &it.file,
+            it.tree.site,
+            format!("`{name}` takes {what} and no marked function calls it: it is neither checked nor in the C"),
+            "call it in a marked function, or remove it",
+        ))
     })
 }
 

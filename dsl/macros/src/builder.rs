@@ -137,7 +137,11 @@ pub fn method(
         .map(|name| companion(subject, &lower::companion_name(&name), (&called, &bounds), &parts));
     let bound = owner_bound(scope, &quote! { #owner });
     let callee = callee(&quote! { <#owner> }, &marker, scope, bound, name);
-    let register = register(name, &marker, scope);
+    // A generic type without an instance is reported itself.
+    let register = match scope.own().is_generic() && !scope.outer().is_generic() {
+        true => place::template(name, &quote! { Method }),
+        false => register(name, &marker, scope),
+    };
     let of_each =
         scope.outer().is_generic() && !scope.own().is_generic() && own.where_clause.is_none();
     let noted = implied::sign_of(&lower::text(name)).filter(|_| of_each).map(|of| {

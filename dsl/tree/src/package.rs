@@ -49,6 +49,8 @@ pub enum TemplateKind {
     Data,
     /// A free function.
     Function,
+    /// Method with parameters of its own.
+    Method,
 }
 
 /// A generic item.
