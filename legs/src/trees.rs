@@ -24,8 +24,10 @@ use serde::{Deserialize, Serialize};
 use crate::{root, store};
 
 /// Paths, relative to the root, on which every tree depends besides the package's sources.
-const EVERY: [&str; 5] = [
+const EVERY: [&str; 7] = [
     "dsl",
+    "blocks/src",
+    "estimation/src",
     "codegen/src/generate",
     "codegen/frontend/src/source",
     "codegen/frontend/src/source.rs",
