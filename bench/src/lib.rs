@@ -9,6 +9,7 @@
 //! | [`peers`] | emitted C beside other generators' code |
 //! | [`generation`] | how long a generation takes, by the number of functions |
 //! | [`kernels`] | generated kernels against handwritten C and the libraries |
+//! | [`qp`] | quadratic programs beside the code of OSQP and CVXPYgen, and TinyMPC |
 //! | [`rebuild`] | what the attributes add to a rebuild of the corpus |
 //! | [`shapes`] | growth of the tool's own time with the size of a function |
 //! | [`elementary`] | the elementary functions against glibc and newlib |
@@ -37,6 +38,7 @@ pub mod long;
 pub mod moved;
 pub mod onboard;
 pub mod peers;
+pub mod qp;
 pub mod rebuild;
 pub mod shapes;
 pub mod threads;

@@ -10,7 +10,7 @@ use bench::kernels::results::Results;
 use bench::kernels::{machine, plot, report, run, stored};
 use bench::{
     accuracy_points, dsp, ekf, elementary, equality, generation, gradient, long, onboard, peers,
-    rebuild, shapes, threads,
+    qp, rebuild, shapes, threads,
 };
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -38,7 +38,7 @@ struct Arguments {
     /// Points of each function for `equality` and `accuracy-points`
     #[arg(long, default_value_t = 10_000_000)]
     points: u32,
-    /// Folder with the repositories `CMSIS-DSP` and `TinyMPC`, for `dsp`
+    /// Folder with the repositories `CMSIS-DSP` and `TinyMPC`, for `dsp` and `qp`
     #[arg(long)]
     peers: Option<PathBuf>,
 }
@@ -68,6 +68,8 @@ enum Part {
     Ekf,
     /// The gradient of a rollout beside code of CasADi, which pip installs
     Gradient,
+    /// Quadratic programs beside code of OSQP and CVXPYgen, which pip installs, and TinyMPC
+    Qp,
     /// Large kernels on one thread and on two
     Threads,
     /// The elementary functions on ten million points each, on every leg: a quarter of an hour
@@ -93,7 +95,7 @@ const AGAIN: &str = "measured again";
 /// A measurement: prints its table and, unless it is a short run, writes its results.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
-const PARTS: [(Part, Measurement); 14] = [
+const PARTS: [(Part, Measurement); 15] = [
     (Part::Kernels, kernels),
     (Part::Elementary, elementary),
     (Part::CheckCost, check_cost),
@@ -105,6 +107,7 @@ const PARTS: [(Part, Measurement); 14] = [
     (Part::Dsp, of_dsp),
     (Part::Ekf, of_ekf),
     (Part::Gradient, of_gradient),
+    (Part::Qp, of_qp),
     (Part::Threads, on_threads),
     (Part::Equality, equality),
     (Part::AccuracyPoints, on_accuracy_points),
@@ -323,6 +326,18 @@ fn of_ekf(arguments: &Arguments) -> Result<(), String> {
     println!("{page}");
     arguments.write("ekf", &json)?;
     if arguments.quick { Ok(()) } else { put("ekf.md", &page) }
+}
+
+fn of_qp(arguments: &Arguments) -> Result<(), String> {
+    let json = qp::json(&qp::measure(arguments.peers.as_deref())?);
+    let page = qp::page::markdown(&json);
+    println!("{page}");
+    if arguments.peers.is_none() {
+        eprintln!("nothing is written without `--peers FOLDER`");
+        return Ok(());
+    }
+    arguments.write("qp", &json)?;
+    if arguments.quick { Ok(()) } else { put("qp.md", &page) }
 }
 
 fn on_threads(arguments: &Arguments) -> Result<(), String> {

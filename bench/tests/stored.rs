@@ -10,7 +10,7 @@ use bench::kernels::machine::{A9, HOST_V3};
 use bench::kernels::reasons::{Reasons, unsettled};
 use bench::kernels::results::Results;
 use bench::kernels::{plot, report, stored};
-use bench::{dsp, ekf, gradient, peers};
+use bench::{dsp, ekf, gradient, peers, qp};
 use serde_json::Value;
 
 fn file(name: &str) -> PathBuf {
@@ -109,6 +109,20 @@ fn the_page_of_the_gradient_says_what_the_json_has() {
     let found = fs::read_to_string(file("gradient.md")).expect("it is committed");
     let renewal = "UPDATE_DOCS=1 cargo test -p bench --test stored";
     assert!(found == page, "gradient.md is stale: {renewal}");
+}
+
+#[test]
+fn the_page_of_quadratic_programs_says_what_the_json_has() {
+    let text = fs::read_to_string(file("qp.json")).expect("results are committed");
+    let json: Value = serde_json::from_str(&text).expect("JSON");
+    let rows = json["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), qp::CONTENDERS.len(), "qp.json lacks rows");
+    let page = qp::page::markdown(&json);
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        fs::write(file("qp.md"), &page).expect("bench/results is there");
+    }
+    let found = fs::read_to_string(file("qp.md")).expect("it is committed");
+    assert!(found == page, "qp.md is stale: UPDATE_DOCS=1 cargo test -p bench --test stored");
 }
 
 fn reasons() -> Reasons {

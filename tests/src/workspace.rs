@@ -98,7 +98,7 @@ impl Workspace {
         let root = root().canonicalize()?;
         let workspace = Workspace(tempfile::tempdir()?);
         fs::copy(root.join("Cargo.lock"), workspace.path("Cargo.lock"))?;
-        for linked in ["dsl", "estimation"] {
+        for linked in ["dsl", "estimation", "blocks"] {
             symlink(root.join(linked), workspace.path(linked))?;
         }
         let text = fs::read_to_string(root.join("Cargo.toml"))?;

@@ -233,7 +233,7 @@ pub struct Bench {
     #[arg(long)]
     pub quick: bool,
     /// Only this part: kernels, threads, elementary, check-cost, rebuild, generation, long, shapes, onboard,
-    /// dsp, ekf, gradient, equality, accuracy-points
+    /// dsp, ekf, gradient, qp, equality, accuracy-points
     #[arg(long)]
     pub only: Option<String>,
     /// Only these machines of `kernels`, such as a9,host-v3: the others keep their previous results
@@ -248,7 +248,7 @@ pub struct Bench {
     /// Points of each function for `equality` and `accuracy-points`
     #[arg(long)]
     pub points: Option<u32>,
-    /// Folder with the repositories `CMSIS-DSP` and `TinyMPC`, for `dsp`
+    /// Folder with the repositories `CMSIS-DSP` and `TinyMPC`, for `dsp` and `qp`
     #[arg(long)]
     pub peers: Option<String>,
     /// Install missing tools first, with apt-get (as root or through sudo)

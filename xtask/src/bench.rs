@@ -14,7 +14,7 @@ use std::path::Path;
 fn needs(only: Option<&str>) -> &'static [Need] {
     match only {
         None | Some("kernels") => &[Need::Everything, Need::Host, Need::Target, Need::Bench],
-        Some("onboard" | "dsp" | "ekf" | "gradient" | "equality" | "accuracy-points") => {
+        Some("onboard" | "dsp" | "ekf" | "gradient" | "qp" | "equality" | "accuracy-points") => {
             &[Need::Everything, Need::Host, Need::Target]
         }
         Some("threads") => &[Need::Host],
