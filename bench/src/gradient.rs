@@ -7,9 +7,11 @@ use crate::peers::{self, Subject};
 /// The cost of fifty periods, its gradient by a hundred inputs, and a sine and a cosine.
 pub const ROLLOUT: Subject = Subject {
     name: "gradient",
-    source: "cost.rs",
+    source: "bench/gradient/cost.rs",
     packages: &[("casadi", "3.8.2")],
     contenders: &["emitted C", "CasADi"],
+    parts: &["call"],
+    angles: true,
     words: 1 + 100 + 2,
     tolerances: [1e-12, 1e-4],
 };

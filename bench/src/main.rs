@@ -66,6 +66,8 @@ enum Part {
     Dsp,
     /// A Kalman filter beside code of SymForce and CasADi, which pip installs
     Ekf,
+    /// An autopilot's filter beside code of SymForce, which pip installs
+    Autopilot,
     /// The gradient of a rollout beside code of CasADi, which pip installs
     Gradient,
     /// Quadratic programs beside code of OSQP and CVXPYgen, which pip installs, and TinyMPC
@@ -95,7 +97,7 @@ const AGAIN: &str = "measured again";
 /// A measurement: prints its table and, unless it is a short run, writes its results.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
-const PARTS: [(Part, Measurement); 15] = [
+const PARTS: [(Part, Measurement); 16] = [
     (Part::Kernels, kernels),
     (Part::Elementary, elementary),
     (Part::CheckCost, check_cost),
@@ -106,6 +108,7 @@ const PARTS: [(Part, Measurement); 15] = [
     (Part::Onboard, onboard),
     (Part::Dsp, of_dsp),
     (Part::Ekf, of_ekf),
+    (Part::Autopilot, of_autopilot),
     (Part::Gradient, of_gradient),
     (Part::Qp, of_qp),
     (Part::Threads, on_threads),
@@ -318,6 +321,14 @@ fn of_gradient(arguments: &Arguments) -> Result<(), String> {
     println!("{page}");
     arguments.write("gradient", &json)?;
     if arguments.quick { Ok(()) } else { put("gradient.md", &page) }
+}
+
+fn of_autopilot(arguments: &Arguments) -> Result<(), String> {
+    let json = peers::json(&ekf::AUTOPILOT, &peers::measure(&ekf::AUTOPILOT)?);
+    let page = ekf::page::of_autopilot(&json);
+    println!("{page}");
+    arguments.write("autopilot", &json)?;
+    if arguments.quick { Ok(()) } else { put("autopilot.md", &page) }
 }
 
 fn of_ekf(arguments: &Arguments) -> Result<(), String> {

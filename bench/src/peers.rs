@@ -21,12 +21,16 @@ use crate::dsp::page::grouped;
 pub struct Subject {
     /// Its part of the command, and the name of its folder and of its results.
     pub name: &'static str,
-    /// Its source in the DSL, in its folder.
+    /// Its source in the DSL, from the root.
     pub source: &'static str,
     /// Packages of the peers, with their versions.
     pub packages: &'static [(&'static str, &'static str)],
     /// Names of the contenders; the first is the emitted C.
     pub contenders: &'static [&'static str],
+    /// Counted parts of a call, in order.
+    pub parts: &'static [&'static str],
+    /// True if the sines and cosines of a call are counted, too, after the last one.
+    pub angles: bool,
     /// Number of reported numbers, the sines and cosines among them.
     pub words: usize,
     /// Largest difference of two contenders' results on each machine, relative to the largest number.
@@ -58,10 +62,10 @@ pub struct Row {
     pub machine: &'static str,
     /// The contender.
     pub contender: &'static str,
-    /// Instructions of the last call.
-    pub instructions: u64,
+    /// Instructions of each part of the last call.
+    pub parts: Vec<(&'static str, u64)>,
     /// Instructions of the sines and cosines alone.
-    pub angles: u64,
+    pub angles: Option<u64>,
     /// Code and constants in bytes, without elementary functions.
     pub text: u64,
 }
@@ -129,8 +133,10 @@ fn emitted(
     folder: &Path,
 ) -> Result<Vec<(PathBuf, bool)>, String> {
     let failed = |error: std::io::Error| error.to_string();
-    let source = bessemer_tests::root().join("bench").join(subject.name).join(subject.source);
+    let source = bessemer_tests::root().join(subject.source);
     let source = std::fs::read_to_string(source).map_err(failed)?;
+    let alone = "#![no_std]";
+    let source = if source.contains(alone) { source } else { format!("{alone}\n{source}") };
     let text = if machine.single { source.replace("f64", "f32") } else { source };
     let workspace = Workspace::with_source(&text).map_err(failed)?;
     let edit = |path: PathBuf, from: &str, to: &str| {
@@ -156,7 +162,7 @@ fn emitted(
     }
     std::fs::create_dir_all(folder).map_err(failed)?;
     let written = workspace.folder().join("src/lib.rs");
-    std::fs::copy(written, folder.join(subject.source)).map_err(failed)?;
+    std::fs::copy(written, folder.join("model.rs")).map_err(failed)?;
     let mut sources = Vec::new();
     for file in &compiled.files {
         let path = folder.join(&file.name);
@@ -229,15 +235,18 @@ fn run(
     command.arg("-O2").args(toolchain.machine).args(&objects).arg("-o").arg(&program);
     execute(command.arg("-lm"))?;
     let watched = watch::counted(&toolchain, &own, &program, &[])?;
-    let [steps @ .., last, angles] = watched.counts.as_slice() else {
-        return Err(format!("{}: {contender} did not run", machine.name));
+    let (steps, angles) = match watched.counts.as_slice() {
+        [steps @ .., angles] if subject.angles => (steps, Some(*angles)),
+        steps => (steps, None),
     };
-    if steps.len() != CALLS - 1 || watched.words.len() != subject.words {
+    let parts = subject.parts;
+    if steps.len() != CALLS * parts.len() || watched.words.len() != subject.words {
         return Err(format!("{}: {contender} did not run all steps", machine.name));
     }
     let numbers = watched.words.iter().map(|word| f64::from_bits(*word)).collect();
-    let (instructions, angles) = (*last, *angles);
-    Ok((Row { machine: machine.name, contender, instructions, angles, text }, numbers))
+    let last = steps[steps.len() - parts.len()..].iter().copied();
+    let parts = parts.iter().copied().zip(last).collect();
+    Ok((Row { machine: machine.name, contender, parts, angles, text }, numbers))
 }
 
 fn compiler(toolchain: &Toolchain, source: &Path) -> String {
@@ -260,13 +269,19 @@ fn size(toolchain: &Toolchain, object: &Path) -> Result<u64, String> {
 /// Formats the rows for machines.
 pub fn json(subject: &Subject, rows: &[Row]) -> Value {
     let row = |row: &Row| {
-        json!({
+        let mut counts = json!({
             "machine": row.machine,
             "contender": row.contender,
-            "instructions": row.instructions,
-            "sines and cosines": row.angles,
+            "instructions": row.parts.iter().map(|(_, count)| count).sum::<u64>(),
             "text": row.text,
-        })
+        });
+        if let Some(angles) = row.angles {
+            counts["sines and cosines"] = json!(angles);
+        }
+        for (part, count) in row.parts.iter().filter(|_| row.parts.len() > 1) {
+            counts[*part] = json!(count);
+        }
+        counts
     };
     let mut versions = serde_json::Map::new();
     let packages = subject.packages.iter();

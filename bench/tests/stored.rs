@@ -125,6 +125,22 @@ fn the_page_of_quadratic_programs_says_what_the_json_has() {
     assert!(found == page, "qp.md is stale: UPDATE_DOCS=1 cargo test -p bench --test stored");
 }
 
+#[test]
+fn the_page_of_the_autopilot_says_what_the_json_has() {
+    let text = fs::read_to_string(file("autopilot.json")).expect("results are committed");
+    let json: Value = serde_json::from_str(&text).expect("JSON");
+    let rows = json["rows"].as_array().expect("rows");
+    let wanted = peers::MACHINES.len() * ekf::AUTOPILOT.contenders.len();
+    assert_eq!(rows.len(), wanted, "autopilot.json lacks rows");
+    let page = ekf::page::of_autopilot(&json);
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        fs::write(file("autopilot.md"), &page).expect("bench/results is there");
+    }
+    let found = fs::read_to_string(file("autopilot.md")).expect("it is committed");
+    let renewal = "UPDATE_DOCS=1 cargo test -p bench --test stored";
+    assert!(found == page, "autopilot.md is stale: {renewal}");
+}
+
 fn reasons() -> Reasons {
     Reasons::committed().expect("reasons are committed")
 }

@@ -3,7 +3,7 @@
 //! An author's package depends on this crate beside `bessemer`; only called functions become C.
 //!
 //! * [`Symmetric`]: a covariance, symmetric to the last bit after each operation; [`Symmetric::congruence`] predicts it.
-//! * [`Symmetric::correct`] and [`Symmetric::correct_jointly`]: corrections with a gate, which report a covariance that
+//! * [`Symmetric::correct`], [`Symmetric::correct_selected`], [`Symmetric::correct_part`] and [`Symmetric::correct_jointly`]: corrections with a gate, which report a covariance that
 //!   would not stay positive.
 //! * [`Factored`], [`Rooted`]: the same covariance as U D Uᵀ or L Lᵀ, which cannot lose its sign.
 //! * [`unscented`]: a distribution behind a function, without its derivative; [`Symmetric::correct_unscented`] and [`Rooted`] filter by it.
@@ -24,6 +24,7 @@ mod correct;
 mod factored;
 mod record;
 mod rooted;
+mod selected;
 mod structured;
 mod symmetric;
 mod transform;

@@ -52,7 +52,7 @@ impl<T: Real, const N: usize> Diagonal<T, N> {
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Selection<const M: usize, const N: usize> {
-    /// Indices of the selected elements, below `N`.
+    /// Indices of the selected elements; one of `N` or more selects the last.
     pub indices: [usize; M],
 }
 
@@ -62,7 +62,7 @@ impl<const M: usize, const N: usize> Selection<M, N> {
     pub fn of<T: Real>(&self, state: &SVector<T, N>) -> SVector<T, M> {
         let mut selected = SVector::zeros();
         for m in 0..M {
-            selected[m] = state[self.indices[m]];
+            selected[m] = state[self.indices[m].min(N - 1)];
         }
         selected
     }
@@ -72,7 +72,8 @@ impl<const M: usize, const N: usize> Selection<M, N> {
         let mut selected = Symmetric::diagonal(&SVector::zeros());
         for row in 0..M {
             for col in 0..=row {
-                let mirrored = matrix.elements[(self.indices[row], self.indices[col])];
+                let mirrored =
+                    matrix.elements[(self.indices[row].min(N - 1), self.indices[col].min(N - 1))];
                 selected.elements[(row, col)] = mirrored;
                 selected.elements[(col, row)] = mirrored;
             }
@@ -84,7 +85,7 @@ impl<const M: usize, const N: usize> Selection<M, N> {
     pub fn matrix<T: Real>(&self) -> SMatrix<T, M, N> {
         let mut matrix = SMatrix::zeros();
         for m in 0..M {
-            matrix[(m, self.indices[m])] = T::ONE;
+            matrix[(m, self.indices[m].min(N - 1))] = T::ONE;
         }
         matrix
     }

@@ -265,49 +265,7 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
             }
         }
 
-        for row in 0..N % 3 {
-            for m in 0..M {
-                state[row] += rows[(m, row)] * scaled[m];
-            }
-            for col in 0..=row {
-                let mut value = self.elements[(row, col)];
-                for m in 0..M {
-                    value -= rows[(m, row)] * rows[(m, col)];
-                }
-                self.elements[(row, col)] = value;
-                self.elements[(col, row)] = value;
-            }
-        }
-        // Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same order.
-        for block in 0..N / 3 {
-            let row = N % 3 + 3 * block;
-            #[unroll(8)]
-            for m in 0..M {
-                #[unroll(3)]
-                for k in 0..3 {
-                    state[row + k] += rows[(m, row + k)] * scaled[m];
-                }
-            }
-            for col in 0..row + 3 {
-                let mut one = self.elements[(row, col)];
-                let mut two = self.elements[(row + 1, col)];
-                let mut three = self.elements[(row + 2, col)];
-                #[unroll(8)]
-                for m in 0..M {
-                    one -= rows[(m, row)] * rows[(m, col)];
-                    two -= rows[(m, row + 1)] * rows[(m, col)];
-                    three -= rows[(m, row + 2)] * rows[(m, col)];
-                }
-                self.elements[(row, col)] = one;
-                self.elements[(row + 1, col)] = two;
-                self.elements[(row + 2, col)] = three;
-                if col < row {
-                    self.elements[(col, row)] = one;
-                    self.elements[(col, row + 1)] = two;
-                    self.elements[(col, row + 2)] = three;
-                }
-            }
-        }
+        self.lose(state, &rows, &scaled);
         Correction { surprise, status: Status::Corrected }
     }
 

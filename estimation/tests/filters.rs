@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 use bessemer_estimation::{
-    Correction, Estimate, Rooted, Status, Symmetric, exponential, runge_kutta,
+    Correction, Estimate, Rooted, Selection, Status, Symmetric, exponential, runge_kutta,
     runge_kutta_jacobian, smoothed, unscented,
 };
 
@@ -269,4 +269,49 @@ fn the_step_has_fourth_order_and_its_own_jacobian() {
             / 2e-6;
         assert!(largest(&jacobian.column(n).into_owned(), &slope) < 1e-9);
     }
+}
+
+/// A correction by selected elements equals one by the whole Jacobian, for sizes with and without a rest of three.
+#[test]
+fn a_selected_correction_is_the_whole_one() {
+    fn both<const N: usize, const K: usize, const M: usize>(indices: [usize; K]) {
+        let root =
+            SMatrix::<f64, N, N>::from_fn(
+                |r, c| if r == c { 2.0 } else { 1.0 / (r + 2 * c + 1) as f64 },
+            );
+        let start = Symmetric::of_lower(&(root * root.transpose()));
+        let jacobian = SMatrix::<f64, M, K>::from_fn(|m, k| ((3 * m + 2 * k) % 5) as f64 - 1.5);
+        let mut whole = SMatrix::<f64, M, N>::zeros();
+        for (k, index) in indices.iter().enumerate() {
+            whole.set_column(*index, &jacobian.column(k));
+        }
+        let innovation = SVector::<f64, M>::from_fn(|m, _| 0.5 - m as f64);
+        let variances = SVector::<f64, M>::from_fn(|m, _| 0.25 + m as f64);
+        let (mut one, mut other) = (start, start);
+        let (mut state, mut by_whole) = (SVector::<f64, N>::zeros(), SVector::<f64, N>::zeros());
+        let selection = Selection { indices };
+        let found =
+            one.correct_selected(&mut state, &selection, &jacobian, &innovation, &variances, 100.0);
+        let noise = Symmetric::diagonal(&variances);
+        let expected = other.correct_jointly(&mut by_whole, &whole, &innovation, &noise, 100.0);
+        assert_eq!((found.status, expected.status), (Status::Corrected, Status::Corrected));
+        assert!((found.surprise - expected.surprise).abs() < 1e-12);
+        assert!(largest(&state, &by_whole) < 1e-12);
+        assert!(largest(one.matrix(), other.matrix()) < 1e-12);
+        assert_eq!(*one.matrix(), one.matrix().transpose());
+
+        let kept = one;
+        let far =
+            one.correct_selected(&mut state, &selection, &jacobian, &innovation, &variances, 1e-9);
+        assert_eq!((far.status, one), (Status::Rejected, kept));
+        let worse = variances * -1000.0;
+        let lost =
+            one.correct_selected(&mut state, &selection, &jacobian, &innovation, &worse, 100.0);
+        assert_eq!((lost.status, one), (Status::Lost, kept));
+    }
+    both::<3, 2, 1>([0, 2]);
+    both::<4, 2, 2>([3, 1]);
+    both::<5, 3, 3>([4, 0, 2]);
+    both::<7, 4, 2>([1, 2, 5, 6]);
+    both::<6, 6, 6>([0, 1, 2, 3, 4, 5]);
 }

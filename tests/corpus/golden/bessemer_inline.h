@@ -81,12 +81,26 @@
 #include "quaternion.h"
 #include "ranked_extremes.h"
 #include "result_usize_usize.h"
+#include "symmetric.h"
 #include "text.h"
 #include "text_lines.h"
 #include "triple_vector3_f64_matrix1x2_f32_matrix2x2_f64.h"
 #include "u128.h"
 #include "unit_quaternion.h"
 #include "unit_quaternions.h"
+
+/* So many passes of the loop are written out at once; 1 keeps the loop. Nothing where the compiler is not known. */
+#ifndef BESSEMER_UNROLL
+#if defined(__clang__)
+#define BESSEMER_PRAGMA(text) _Pragma(#text)
+#define BESSEMER_UNROLL(count) BESSEMER_PRAGMA(unroll count)
+#elif defined(__GNUC__) && __GNUC__ >= 8
+#define BESSEMER_PRAGMA(text) _Pragma(#text)
+#define BESSEMER_UNROLL(count) BESSEMER_PRAGMA(GCC unroll count)
+#else
+#define BESSEMER_UNROLL(count)
+#endif
+#endif
 
 /** `value`, negated if `row` is in the second half of a turn; a turn has 128 rows. */
 static inline double sine_signed(double value, uint64_t row)
@@ -319,6 +333,132 @@ static inline bool sort_below_f32(float one, float other)
         return copysign_f32(1.0F, one) < 0.0F && !(copysign_f32(1.0F, other) < 0.0F);
     }
     return one < other || (isnan(one) == 0 && isnan(other) != 0);
+}
+
+/**
+ * Subtracts Yᵀ Y from the covariance, and adds Yᵀ L⁻¹ ν to the state.
+ *
+ * Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same order.
+ *
+ * `rows` by columns: [row + 6 * column].
+ */
+static inline void symmetric_f64_24_lose_6(symmetric_f64_24_t *self, double state[24],
+    const double rows[144], const double scaled[6])
+{
+    for (uint32_t block = 0U; block < 8U; block++) {
+        const uint32_t row = 3U * block;
+        BESSEMER_UNROLL(8)
+        for (uint32_t m = 0U; m < 6U; m++) {
+            BESSEMER_UNROLL(3)
+            for (uint32_t k = 0U; k < 3U; k++) {
+                const uint32_t state_index = row + k;
+                state[row + k] += rows[m + 6U * state_index] * scaled[m];
+            }
+        }
+        for (uint32_t col = 0U; col < row + 3U; col++) {
+            double one = self->elements[row + 24U * col];
+            double two = self->elements[row + 1U + 24U * col];
+            double three = self->elements[row + 2U + 24U * col];
+            BESSEMER_UNROLL(8)
+            for (uint32_t m = 0U; m < 6U; m++) {
+                one -= rows[m + 6U * row] * rows[m + 6U * col];
+                two -= rows[m + 6U * (row + 1U)] * rows[m + 6U * col];
+                three -= rows[m + 6U * (row + 2U)] * rows[m + 6U * col];
+            }
+            self->elements[row + 24U * col] = one;
+            self->elements[row + 1U + 24U * col] = two;
+            self->elements[row + 2U + 24U * col] = three;
+            if (col < row) {
+                self->elements[col + 24U * row] = one;
+                self->elements[col + 24U * (row + 1U)] = two;
+                self->elements[col + 24U * (row + 2U)] = three;
+            }
+        }
+    }
+}
+
+/**
+ * Subtracts Yᵀ Y from the covariance, and adds Yᵀ L⁻¹ ν to the state.
+ *
+ * Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same order.
+ *
+ * `rows` by columns: [row + 3 * column].
+ */
+static inline void symmetric_f64_24_lose_3(symmetric_f64_24_t *self, double state[24],
+    const double rows[72], const double scaled[3])
+{
+    for (uint32_t block = 0U; block < 8U; block++) {
+        const uint32_t row = 3U * block;
+        BESSEMER_UNROLL(8)
+        for (uint32_t m = 0U; m < 3U; m++) {
+            BESSEMER_UNROLL(3)
+            for (uint32_t k = 0U; k < 3U; k++) {
+                const uint32_t state_index = row + k;
+                state[row + k] += rows[m + 3U * state_index] * scaled[m];
+            }
+        }
+        for (uint32_t col = 0U; col < row + 3U; col++) {
+            double one = self->elements[row + 24U * col];
+            double two = self->elements[row + 1U + 24U * col];
+            double three = self->elements[row + 2U + 24U * col];
+            BESSEMER_UNROLL(8)
+            for (uint32_t m = 0U; m < 3U; m++) {
+                one -= rows[m + 3U * row] * rows[m + 3U * col];
+                two -= rows[m + 3U * (row + 1U)] * rows[m + 3U * col];
+                three -= rows[m + 3U * (row + 2U)] * rows[m + 3U * col];
+            }
+            self->elements[row + 24U * col] = one;
+            self->elements[row + 1U + 24U * col] = two;
+            self->elements[row + 2U + 24U * col] = three;
+            if (col < row) {
+                self->elements[col + 24U * row] = one;
+                self->elements[col + 24U * (row + 1U)] = two;
+                self->elements[col + 24U * (row + 2U)] = three;
+            }
+        }
+    }
+}
+
+/**
+ * Subtracts Yᵀ Y from the covariance, and adds Yᵀ L⁻¹ ν to the state.
+ *
+ * Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same order.
+ *
+ * `rows` by columns: [row + 6 * column].
+ */
+static inline void symmetric_f64_12_lose_6(symmetric_f64_12_t *self, double state[12],
+    const double rows[72], const double scaled[6])
+{
+    for (uint32_t block = 0U; block < 4U; block++) {
+        const uint32_t row = 3U * block;
+        BESSEMER_UNROLL(8)
+        for (uint32_t m = 0U; m < 6U; m++) {
+            BESSEMER_UNROLL(3)
+            for (uint32_t k = 0U; k < 3U; k++) {
+                const uint32_t state_index = row + k;
+                state[row + k] += rows[m + 6U * state_index] * scaled[m];
+            }
+        }
+        for (uint32_t col = 0U; col < row + 3U; col++) {
+            double one = self->elements[row + 12U * col];
+            double two = self->elements[row + 1U + 12U * col];
+            double three = self->elements[row + 2U + 12U * col];
+            BESSEMER_UNROLL(8)
+            for (uint32_t m = 0U; m < 6U; m++) {
+                one -= rows[m + 6U * row] * rows[m + 6U * col];
+                two -= rows[m + 6U * (row + 1U)] * rows[m + 6U * col];
+                three -= rows[m + 6U * (row + 2U)] * rows[m + 6U * col];
+            }
+            self->elements[row + 12U * col] = one;
+            self->elements[row + 1U + 12U * col] = two;
+            self->elements[row + 2U + 12U * col] = three;
+            if (col < row) {
+                self->elements[col + 12U * row] = one;
+                self->elements[col + 12U * (row + 1U)] = two;
+                self->elements[col + 12U * (row + 2U)] = three;
+            }
+        }
+    }
 }
 
 /** Whether the two are equal, part by part. */
@@ -1760,6 +1900,61 @@ static inline double matrix_extremes_lower_f64(double a, double b)
         return a;
     } else {
         return b;
+    }
+}
+
+/**
+ * Subtracts Yᵀ Y from the covariance, and adds Yᵀ L⁻¹ ν to the state.
+ *
+ * Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same order.
+ *
+ * `rows` by columns: [row + 2 * column].
+ */
+static inline void symmetric_f64_4_lose_2(symmetric_f64_4_t *self, double state[4],
+    const double rows[8], const double scaled[2])
+{
+    for (uint32_t row = 0U; row < 1U; row++) {
+        for (uint32_t m = 0U; m < 2U; m++) {
+            state[row] += rows[m + 2U * row] * scaled[m];
+        }
+        for (uint32_t col = 0U; col <= row; col++) {
+            double value = self->elements[row + 4U * col];
+            for (uint32_t m = 0U; m < 2U; m++) {
+                value -= rows[m + 2U * row] * rows[m + 2U * col];
+            }
+            self->elements[row + 4U * col] = value;
+            self->elements[col + 4U * row] = value;
+        }
+    }
+    for (uint32_t block = 0U; block < 1U; block++) {
+        const uint32_t row = 3U * block + 1U;
+        BESSEMER_UNROLL(8)
+        for (uint32_t m = 0U; m < 2U; m++) {
+            BESSEMER_UNROLL(3)
+            for (uint32_t k = 0U; k < 3U; k++) {
+                const uint32_t state_index = row + k;
+                state[row + k] += rows[m + 2U * state_index] * scaled[m];
+            }
+        }
+        for (uint32_t col = 0U; col < row + 3U; col++) {
+            double one = self->elements[row + 4U * col];
+            double two = self->elements[row + 1U + 4U * col];
+            double three = self->elements[row + 2U + 4U * col];
+            BESSEMER_UNROLL(8)
+            for (uint32_t m = 0U; m < 2U; m++) {
+                one -= rows[m + 2U * row] * rows[m + 2U * col];
+                two -= rows[m + 2U * (row + 1U)] * rows[m + 2U * col];
+                three -= rows[m + 2U * (row + 2U)] * rows[m + 2U * col];
+            }
+            self->elements[row + 4U * col] = one;
+            self->elements[row + 1U + 4U * col] = two;
+            self->elements[row + 2U + 4U * col] = three;
+            if (col < row) {
+                self->elements[col + 4U * row] = one;
+                self->elements[col + 4U * (row + 1U)] = two;
+                self->elements[col + 4U * (row + 2U)] = three;
+            }
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! That their C has the same bits is the corpus' to show, as of any other program.
 
+use corpus::programs::cookbook::autopilot::{Autopilot, Flight, Imu};
 use corpus::programs::cookbook::debounce::{ButtonEdge, PushButton, STABLE_SAMPLES};
 use corpus::programs::cookbook::lookup_table::{
     BROKEN, NTC_COUNTS, NTC_TEMPERATURES, SHORTED, thermistor,
@@ -220,4 +221,69 @@ fn an_aircraft_returns_by_the_estimate_of_the_navigation_filter() {
         assert!((filter.state[axis] - truth[axis]).abs() < 0.003, "{} {truth}", filter.state);
     }
     assert_eq!(rejected, 0);
+}
+
+/// The autopilot's filter finds attitude, biases and field on a flight in a circle that climbs and sinks.
+#[test]
+fn the_autopilot_finds_attitude_and_biases() {
+    use bessemer::nalgebra::{SVector, UnitQuaternion, Vector3};
+    const GRAVITY: f64 = 9.80665;
+    let period = 0.004;
+    let gyro_bias = Vector3::new(0.01, -0.02, 0.005);
+    let force_bias = Vector3::new(0.05, -0.03, 0.1);
+    let field = Vector3::new(0.21, 0.03, 0.42);
+    let mut attitude = UnitQuaternion::from_euler_angles(0.1, -0.05, 0.8);
+    let (mut velocity, mut position) = (Vector3::new(5.0, 0.0, 0.0), Vector3::zeros());
+
+    let mut filter = Autopilot::default();
+    let mut start = SVector::<f64, 24>::zeros();
+    // A heading of 0.6 rad and no bank: a fifth of a radian off.
+    start[0] = f64::cos(0.3);
+    start[3] = f64::sin(0.3);
+    start[Flight::VELOCITY] = 5.0;
+    start.fixed_rows_mut::<3>(Flight::FIELD).copy_from(&Vector3::new(0.2, 0.0, 0.4));
+    let blocks =
+        [(4, 0.02), (3, 0.1), (3, 0.1), (3, 1e-3), (3, 0.02), (3, 1e-3), (3, 1e-6), (2, 1.0)];
+    let variances = blocks.iter().flat_map(|(size, variance)| vec![*variance; *size]);
+    filter.start(&start, &SVector::from_iterator(variances));
+
+    for step in 0..15_000_u32 {
+        let time = f64::from(step) * period;
+        let rates = Vector3::new(0.3 * (0.7 * time).sin(), 0.2 * (0.4 * time).cos(), 0.4);
+        let acceleration =
+            Vector3::new(2.0 * (0.5 * time).cos(), 2.0 * (0.5 * time).sin(), (0.3 * time).sin());
+        let force = attitude.inverse() * (acceleration - Vector3::new(0.0, 0.0, GRAVITY));
+        filter.predict(&Imu { rate: rates + gyro_bias, force: force + force_bias }, period);
+        attitude *= UnitQuaternion::new(rates * period);
+        position += velocity * period;
+        velocity += acceleration * period;
+        // Errors without a trend: a fixed pattern of a twentieth.
+        let error = f64::from(step * 7 % 11) / 100.0 - 0.05;
+        if step % 25 == 0 {
+            let mut measured = SVector::<f64, 6>::zeros();
+            for axis in 0..3 {
+                measured[axis] = velocity[axis] + error;
+                measured[axis + 3] = position[axis] - error;
+            }
+            assert!(filter.place(&measured), "step {step}");
+        }
+        if step % 25 == 12 {
+            let seen = attitude.inverse() * field;
+            assert!(filter.compass(&seen.add_scalar(0.1 * error)), "step {step}");
+        }
+        assert_eq!(*filter.covariance.matrix(), filter.covariance.matrix().transpose());
+    }
+    let state = &filter.state;
+    let found = UnitQuaternion::from_quaternion(bessemer::nalgebra::Quaternion::new(
+        state[0], state[1], state[2], state[3],
+    ));
+    let off = |at: usize, truth: &Vector3<f64>| (state.fixed_rows::<3>(at) - truth).amax();
+    assert!(found.angle_to(&attitude) < 0.02, "{} rad", found.angle_to(&attitude));
+    assert!(off(Flight::GYRO_BIAS, &gyro_bias) < 2e-3, "{state}");
+    assert!(off(Flight::FORCE_BIAS, &force_bias) < 0.05, "{state}");
+    assert!(
+        off(Flight::VELOCITY, &velocity) < 0.1 && off(Flight::POSITION, &position) < 0.2,
+        "{state}"
+    );
+    assert!(filter.covariance.is_plausible());
 }

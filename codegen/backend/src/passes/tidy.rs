@@ -6,6 +6,7 @@
 //! * A local that an `if` alone sets to the right side of `&&` or `||`: it is the whole condition.
 //! * A local of numbers that a loop computes for one other loop: that loop computes them.
 //! * A local of equal numbers that is only copied as a whole: each copy is of these numbers.
+//! * A loop over a literal range without a number, as `0..N % 3` is for some `N`.
 //!
 //! Preserves: the value of every place after each statement, and the faults. Must not know: why the passes made a
 //! local.
@@ -62,6 +63,7 @@ impl VisitMut for Tidy<'_> {
                 || self.joined(&mut block.0, at)
                 || self.renamed(&mut block.0, at)
                 || self.equal(&mut block.0, at)
+                || self.empty(&mut block.0, at)
                 || self.fused(&mut block.0, at);
             at += usize::from(!less);
         }
@@ -259,6 +261,25 @@ impl Tidy<'_> {
         copies.count(&mut stmts[at + 1..]);
         let removed = stmts.remove(at);
         hand_down(stmts, at, removed.comments);
+        true
+    }
+
+    /// Removes `for n in 0..0 { … }`.
+    fn empty(&mut self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
+        let StmtKind::For { from, to, inclusive, ended: false, .. } = &stmts[at].kind else {
+            return false;
+        };
+        let (ExprKind::Literal(first), ExprKind::Literal(end)) = (&from.kind, &to.kind) else {
+            return false;
+        };
+        let Some(int) = from.ty.as_int() else { return false };
+        let (first, end) = (int.from_word(*first), int.from_word(*end));
+        if first < end || *inclusive && first == end {
+            return false;
+        }
+        let removed = stmts.remove(at);
+        hand_down(stmts, at, removed.comments);
+        self.again = true;
         true
     }
 

@@ -43,17 +43,12 @@ void climb_measure(climb_t *BESSEMER_RESTRICT self, double height, double varian
 bessemer_status_t climb_measure_both(climb_t *BESSEMER_RESTRICT self, const double measured[2],
     const double noise[2], correct_status_t *BESSEMER_RESTRICT status)
 {
-    bessemer_status_t status_value;
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;
     }
     const selection_2_2_t selection = {.indices = {UINT64_C(0), UINT64_C(1)}};
     double innovation_of_f64[2];
-    status_value = selection_2_2_of_f64(&selection, self->state, innovation_of_f64);
-    if (status_value != BESSEMER_STATUS_OK) {
-        self->fault = status_value;
-        return status_value;
-    }
+    selection_2_2_of_f64(&selection, self->state, innovation_of_f64);
     const double innovation[2] = {
         measured[0] - innovation_of_f64[0],
         measured[1] - innovation_of_f64[1]
@@ -130,10 +125,8 @@ void covariances_by_part(const double p[16], const double innovation[2],
     (void)memcpy(result->third, covariance.elements, sizeof(double[16]));
 }
 
-bessemer_status_t covariances_scaled(const float p[9], const float by[3],
-    float result[BESSEMER_RESTRICT 4])
+void covariances_scaled(const float p[9], const float by[3], float result[BESSEMER_RESTRICT 4])
 {
-    bessemer_status_t status;
     const diagonal_f32_3_t scaled_self = {.values = {by[0], by[1], by[2]}};
     symmetric_f32_3_t scaled_matrix;
     symmetric_f32_3_of_lower(p, &scaled_matrix);
@@ -141,15 +134,11 @@ bessemer_status_t covariances_scaled(const float p[9], const float by[3],
     diagonal_f32_3_congruence(&scaled_self, &scaled_matrix, &scaled);
     const selection_2_3_t self_value = {.indices = {UINT64_C(2), UINT64_C(0)}};
     symmetric_f32_2_t self;
-    status = selection_2_3_within_f32(&self_value, &scaled, &self);
-    if (status != BESSEMER_STATUS_OK) {
-        return status;
-    }
+    selection_2_3_within_f32(&self_value, &scaled, &self);
     result[0] = self.elements[0];
     result[1] = self.elements[1];
     result[2] = self.elements[2];
     result[3] = self.elements[3];
-    return BESSEMER_STATUS_OK;
 }
 
 void covariances_oscillator(double frequency, double period,
