@@ -18,9 +18,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "bessemer_constants.h"
 #include "bessemer_helpers.h"
-#include "bessemer_inline.h"
 #include "bessemer_target.h"
 #include "pair.h"
 
@@ -115,6 +113,47 @@ static const double ARCTANGENT_ROWS[64][3] = {
     {15.5, 1.5063694873693432, -1.0553391013319709e-16}
 };
 
+/** π/2, to a double. */
+static const double HALF_PI_HIGH = 1.5707963267948966;
+
+/** π/2, minus its high part. */
+static const double HALF_PI_LOW = 6.123233995736766e-17;
+
+/** 2²⁷ + 1: a product with it splits a double into halves of 26 bits (Veltkamp). */
+static const double SPLITTER = 134217729.0;
+
+/** Mask of the upper half of a double's bits: the product of two doubles masked by it is exact. */
+static const uint64_t UPPER = UINT64_C(0xFFFFFFFF00000000);
+
+/** π, to a double. */
+static const double WHOLE_PI_HIGH = 3.141592653589793;
+
+/** π, minus its high part. */
+static const double WHOLE_PI_LOW = 1.2246467991473532e-16;
+
+/** The exact sum `a + b`, if `a` is zero or not the smaller in magnitude (Dekker). */
+static inline void pair_ordered_sum(double a, double b, pair_t *pair)
+{
+    const double high = a + b;
+    pair->high = high;
+    pair->low = b - (high - a);
+}
+
+/** The exact product `a * b`, below 2⁹⁹⁶ and without underflow (Dekker, Veltkamp). */
+static inline void pair_product(double a, double b, pair_t *pair)
+{
+    const double a_scaled = SPLITTER * a;
+    const double a_high = a_scaled - (a_scaled - a);
+    const double a_low = a - a_high;
+    const double b_scaled = SPLITTER * b;
+    const double b_high = b_scaled - (b_scaled - b);
+    const double b_low = b - b_high;
+    const double high = a * b;
+    const double low = a_high * b_high - high + a_high * b_low + a_low * b_high + a_low * b_low;
+    pair->high = high;
+    pair->low = low;
+}
+
 /** The row for a ratio: 0 to 63 from 1/16 to 16, more outside. */
 static inline uint32_t arctangent_row_of_ratio(double ratio)
 {
@@ -127,6 +166,20 @@ static inline double arctangent_small_curve(double t)
 {
     const double z = t * t;
     return t * z * (A3 + z * (A5 + z * (A7 + z * A9)));
+}
+
+/** `a / b` to about 100 bits. */
+static inline void pair_quotient(const pair_t *a, const pair_t *b, pair_t *pair)
+{
+    pair_t above;
+    pair_ordered_sum(a->high, a->low, &above);
+    pair_t below;
+    pair_ordered_sum(b->high, b->low, &below);
+    const double high = above.high / below.high;
+    pair_t back;
+    pair_product(high, below.high, &back);
+    const double rest = above.high - back.high - back.low + above.low - high * below.low;
+    pair_ordered_sum(high, rest / below.high, pair);
 }
 
 /** The arctangent of `t` minus `t`, for |t| ≤ 1/16. */
@@ -149,7 +202,7 @@ static inline void arctangent_angle_of_ratio(double height, double width, double
     const uint32_t row = arctangent_row_of_ratio(ratio);
     if (row < 64U) {
         const double centre = ARCTANGENT_ROWS[row][0];
-        const double upper = f64_from_bits(raw_bits_of_f64(width) & PAIR_UPPER);
+        const double upper = f64_from_bits(raw_bits_of_f64(width) & UPPER);
         const double above = height - centre * upper - centre * (width - upper);
         const double t = above / (width + centre * height);
         const double rest = ARCTANGENT_ROWS[row][2] + (t + arctangent_small_curve(t));
@@ -165,8 +218,8 @@ static inline double arctangent_angle_on_side(const pair_t *angle, bool left)
 {
     if (left) {
         pair_t rest;
-        pair_ordered_sum(ANGLES_WHOLE_PI_HIGH, -angle->high, &rest);
-        return rest.high + (rest.low + (ANGLES_WHOLE_PI_LOW - angle->low));
+        pair_ordered_sum(WHOLE_PI_HIGH, -angle->high, &rest);
+        return rest.high + (rest.low + (WHOLE_PI_LOW - angle->low));
     } else {
         return angle->high + angle->low;
     }
@@ -183,8 +236,8 @@ void arctangent_far_angle(double height, double width, double ratio, pair_t *pai
         pair->low = exact.low + arctangent_curve(exact.high);
     } else {
         const double t = width / height;
-        pair->high = ANGLES_HALF_PI_HIGH;
-        pair->low = ANGLES_HALF_PI_LOW - (t + arctangent_curve(t));
+        pair->high = HALF_PI_HIGH;
+        pair->low = HALF_PI_LOW - (t + arctangent_curve(t));
     }
 }
 
@@ -199,15 +252,15 @@ double arctangent_far_atan2(double y, double x)
     pair_t angle;
     if (width <= height && height <= width) {
         if (width > 0.0) {
-            angle.high = 0.5 * ANGLES_HALF_PI_HIGH;
-            angle.low = 0.5 * ANGLES_HALF_PI_LOW;
+            angle.high = 0.5 * HALF_PI_HIGH;
+            angle.low = 0.5 * HALF_PI_LOW;
         } else {
             angle.high = 0.0;
             angle.low = 0.0;
         }
     } else if (height > width * 0x1p60) {
-        angle.high = ANGLES_HALF_PI_HIGH;
-        angle.low = ANGLES_HALF_PI_LOW;
+        angle.high = HALF_PI_HIGH;
+        angle.low = HALF_PI_LOW;
     } else if (width * 0x1p-60 > height) {
         angle.high = height / width;
         angle.low = 0.0;

@@ -16,70 +16,8 @@ extern "C" {
 /** Acceleration of gravity, m/s². */
 static const double AIRFRAME_GRAVITY = 9.81;
 
-/** π/2, to a double. */
-static const double ANGLES_HALF_PI_HIGH = 1.5707963267948966;
-
-/** π/2, minus its high part. */
-static const double ANGLES_HALF_PI_LOW = 6.123233995736766e-17;
-
-/** 64/π. */
-static const double ANGLES_STEPS_PER_RADIAN = 20.371832715762604;
-
-/** The leading 33 bits of π/64: a multiple of it by up to 2²⁰ is exact. */
-static const double ANGLES_STEP_HIGH = 0.049087385210441425;
-
-/** The rest of π/64. */
-static const double ANGLES_STEP_LOW = 1.899093908283185e-12;
-
-/** π, to a double. */
-static const double ANGLES_WHOLE_PI_HIGH = 3.141592653589793;
-
-/** π, minus its high part. */
-static const double ANGLES_WHOLE_PI_LOW = 1.2246467991473532e-16;
-
 /** The identity matrix of 6 rows. A matrix by columns: [row + 6 * column]. */
 extern const double BESSEMER_IDENTITY_6[36];
-
-/**
- * Coefficient of x² in the Taylor series of e^x. Up to |x| = (ln 2)/256 the terms after the fifth power are below
- * 2⁻⁶⁰. In Rust: `1.0 / 2.0`.
- */
-static const double EXPONENTIAL_E2 = 0.5;
-
-/** Coefficient of x³. In Rust: `1.0 / 6.0`. */
-static const double EXPONENTIAL_E3 = 0.16666666666666666;
-
-/** Coefficient of x⁴. In Rust: `1.0 / 24.0`. */
-static const double EXPONENTIAL_E4 = 0.041666666666666664;
-
-/** Coefficient of x⁵. In Rust: `1.0 / 120.0`. */
-static const double EXPONENTIAL_E5 = 0.008333333333333333;
-
-/**
- * Coefficient of x⁶ in the Taylor series of e^x. With it, the omitted terms are below 2⁻⁶¹ up to |x| = (ln 2)/256 +
- * 1/200. In Rust: `1.0 / 720.0`.
- */
-static const double EXPONENTIAL_E6 = 0.001388888888888889;
-
-/**
- * Up to this |x|, e^x and the summands of its last addition are normal numbers. e^−660 is above 2⁻⁹⁵³, its last place
- * above 2⁻¹⁰⁰⁶.
- */
-static const double EXPONENTIAL_NORMAL = 660.0;
-
-/** ln c minus the second column of `FINER_COARSE_ROWS`, to a double. */
-extern const double FINER_COARSE_REST[128];
-
-/** 1/c, of ten bits at most, and ln c to multiples of 2⁻⁴². */
-extern const double FINER_COARSE_ROWS[128][2];
-
-/**
- * (ln(1 + r) − r + r²/2)/r³ in powers of r, −0.0068 to 0.0068, the range of a row of `FINER_COARSE_ROWS`. Interpolated at 7 Chebyshev points; the error is below 2⁻⁵⁵.
- */
-static const double FINER_FINER_LN[7] = {
-    0.3333333333333333, -0.2500000000000011, 0.19999999999998155, -0.16666666647591571,
-    0.14285714407282019, -0.1250081705872971, 0.11109474244766557
-};
 
 /**
  * Age, relative to the last packet, up to which a STOP is accepted, ms: it may have been overtaken. A repeated STOP
@@ -90,31 +28,8 @@ static const uint64_t GATE_STOP_MAX_AGE = UINT64_C(2000);
 /** Least cosine of the pitch used as a divisor: 89.4°. */
 static const double GEOMETRY_LEAST_PITCH_COSINE = 0.01;
 
-/** The logarithm of 2 to a multiple of 2⁻⁴². */
-static const double LOGARITHMS_LN_2_HIGH = 0.6931471805598903;
-
-/** The logarithm of 2 minus its high part. */
-static const double LOGARITHMS_LN_2_LOW = 5.497923018708371e-14;
-
-/** 2²⁷ + 1: a product with it splits a double into halves of 26 bits (Veltkamp). */
-static const double PAIR_SPLITTER = 134217729.0;
-
-/** Mask of the upper half of a double's bits: the product of two doubles masked by it is exact. */
-static const uint64_t PAIR_UPPER = UINT64_C(0xFFFFFFFF00000000);
-
 /** For 2^(k/128) as a double, its rounding error as a fraction of it, and its bits minus k·2⁴⁵. */
 extern const uint64_t POWERS_OF_TWO[128][2];
-
-/** 128/ln 2. */
-static const double POWERS_STEPS_PER_UNIT = 184.6649652337873;
-
-/**
- * The leading 36 bits of (ln 2)/128: a multiple by up to 138 499 is exact, in units of 2⁻⁴³ and below 1024.
- */
-static const double POWERS_UNIT_STEP_HIGH = 0.005415212348111709;
-
-/** The rest of (ln 2)/128. */
-static const double POWERS_UNIT_STEP_LOW = 1.2864023111638346e-14;
 
 /** Prepares another flight; ignored unless the aircraft is at rest on the ground. */
 static const uint8_t RECEIVER_ARM = 11U;
@@ -171,9 +86,6 @@ static const uint8_t SENDER_RECORD = 0x40U;
 
 /** Kind of a packet with the state of the link. */
 static const uint8_t SENDER_STATUS = 0x41U;
-
-/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
-static const double SINE_TO_INTEGER = 6755399441055744.0;
 
 /** Largest value of each parameter. */
 extern const double TUNING_LARGEST_VALUES[20];

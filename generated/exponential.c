@@ -8,6 +8,9 @@
  * double, and the last from its Taylor polynomial. Only the last addition rounds visibly, also for subnormal
  * results; the polynomial is off by less than 2⁻⁶⁰, and so is each earlier rounding.
  *
+ * Most arguments take four steps: split x, look up the power of two of its steps, add the polynomial of the
+ * remainder, and round once. Results that may not be normal numbers take a longer way, with one rounding, too.
+ *
  * Up to |x| = 750 the number of steps of (ln 2)/128 is at most 138 499, which fits in 19 bits with its sign. Its
  * product with the leading part of the step is exact: a multiple of 2⁻⁴³ below 1024.
  *
@@ -22,7 +25,6 @@
 
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
-#include "bessemer_inline.h"
 #include "bessemer_target.h"
 
 /**
@@ -31,11 +33,38 @@
  */
 static const double BEYOND = 750.0;
 
+/**
+ * Coefficient of x² in the Taylor series of e^x. Up to |x| = (ln 2)/256 the terms after the fifth power are below
+ * 2⁻⁶⁰. In Rust: `1.0 / 2.0`.
+ */
+static const double E2 = 0.5;
+
+/** Coefficient of x³. In Rust: `1.0 / 6.0`. */
+static const double E3 = 0.16666666666666666;
+
+/** Coefficient of x⁴. In Rust: `1.0 / 24.0`. */
+static const double E4 = 0.041666666666666664;
+
+/** Coefficient of x⁵. In Rust: `1.0 / 120.0`. */
+static const double E5 = 0.008333333333333333;
+
+/**
+ * Coefficient of x⁶ in the Taylor series of e^x. With it, the omitted terms are below 2⁻⁶¹ up to |x| = (ln 2)/256 +
+ * 1/200. In Rust: `1.0 / 720.0`.
+ */
+static const double E6 = 0.001388888888888889;
+
 /** 2¹⁰²³, the largest power of two. */
 static const double LARGEST_POWER = 0x1p1023;
 
 /** 2⁻²⁰⁰, the factor that undoes `RAISED`. */
 static const double LOWER = 0x1p-200;
+
+/**
+ * Up to this |x|, e^x and the summands of its last addition are normal numbers. e^−660 is above 2⁻⁹⁵³, its last place
+ * above 2⁻¹⁰⁰⁶.
+ */
+static const double NORMAL = 660.0;
 
 /**
  * For exponents below this a power is less than half of the smallest number, 2⁻¹⁰⁷⁴, and so rounds to 0.
@@ -45,12 +74,76 @@ static const int32_t NOTHING = -1080;
 /** Added to an exponent whose power of two would not be a normal number. */
 static const int32_t RAISED = 200;
 
+/** 128/ln 2. */
+static const double STEPS_PER_UNIT = 184.6649652337873;
+
+/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
+static const double TO_INTEGER = 0x1.8p52;
+
+/**
+ * The leading 36 bits of (ln 2)/128: a multiple by up to 138 499 is exact, in units of 2⁻⁴³ and below 1024.
+ */
+static const double UNIT_STEP_HIGH = 0.005415212348111709;
+
+/** The rest of (ln 2)/128. */
+static const double UNIT_STEP_LOW = 1.2864023111638346e-14;
+
 static double exponential_rounded(const power_t *power, int32_t more);
 
 /** Two to the power of an exponent from −1022 to 1023. */
 static inline double exponential_power_of_two(int32_t exponent)
 {
     return f64_from_bits(u64_from_u32((uint32_t)exponent + 1023U) << 52);
+}
+
+/** The rounding error of the double nearest to 2^(`steps`/128), as a fraction of it. */
+static inline double exponential_step_rest(uint64_t steps)
+{
+    return f64_from_bits(POWERS_OF_TWO[steps & UINT64_C(0x7F)][0]);
+}
+
+/**
+ * e^(`high` + `low`) for `high` from −750 to 750 and |`low`| up to 1/200, before its last rounding.
+ */
+static inline void exponential_power_of_pair(double high, double low, power_t *power)
+{
+    const double shifted = high * STEPS_PER_UNIT + TO_INTEGER;
+    const double steps = shifted - TO_INTEGER;
+    const double r = high - steps * UNIT_STEP_HIGH - steps * UNIT_STEP_LOW + low;
+
+    /* As for one double, a term longer. */
+    const double z = r * r;
+    const double tail = E2 + r * E3 + z * (E4 + r * E5 + z * E6);
+    const uint64_t bits = raw_bits_of_f64(shifted);
+    power->steps = bits;
+    power->rest = exponential_step_rest(bits) + r + z * tail;
+}
+
+/** The double nearest to 2^(`steps`/128), where that is a normal number. */
+static inline double exponential_step(uint64_t steps)
+{
+    /* The upper half alone changes: one addition where a word has 32 bits. */
+    const uint64_t bits = POWERS_OF_TWO[steps & UINT64_C(0x7F)][1];
+    const uint32_t upper = (uint32_t)(bits >> 32) + ((uint32_t)steps << 13);
+    return f64_from_bits(((uint64_t)upper << 32) | (bits & UINT64_C(0xFFFFFFFF)));
+}
+
+/** 2^(`steps`/128) · e^`r` for |r| ≤ (ln 2)/256. */
+static inline void exponential_step_power(uint64_t steps, double r, power_t *power)
+{
+    const double z = r * r;
+    const double tail = E2 + r * E3 + z * (E4 + r * E5);
+    power->steps = steps;
+    power->rest = exponential_step_rest(steps) + r + z * tail;
+}
+
+/** e^x for x from −750 to 750, before its last rounding. */
+static inline void exponential_power(double x, power_t *power)
+{
+    const double shifted = x * STEPS_PER_UNIT + TO_INTEGER;
+    const double steps = shifted - TO_INTEGER;
+    exponential_step_power(raw_bits_of_f64(shifted),
+        x - steps * UNIT_STEP_HIGH - steps * UNIT_STEP_LOW, power);
 }
 
 /**
@@ -109,7 +202,7 @@ double exponential_far(double x, double low, int32_t more)
 
 double exponential_exp(double x)
 {
-    if (fabs(x) < EXPONENTIAL_NORMAL) {
+    if (fabs(x) < NORMAL) {
         power_t power;
         exponential_power(x, &power);
         const double lead = exponential_step(power.steps);

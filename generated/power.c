@@ -17,12 +17,320 @@
 
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
-#include "bessemer_inline.h"
 #include "bessemer_target.h"
 #include "exponential.h"
 #include "extremes.h"
 #include "logarithm.h"
 #include "pair.h"
+
+/** ln c minus the second column of `COARSE_ROWS`, to a double. */
+static const double COARSE_REST[128] = {
+    -1.077574303757264e-13, 8.82452633212564e-14, 7.925157831386559e-14, 1.1118671389559323e-13,
+    1.0475750058776541e-13, 1.7625431312172662e-14, -1.1211800740360982e-13,
+    -1.0033796982039214e-13, 1.0863828679707913e-13, -2.159269374197349e-14,
+    4.0599978860151284e-14, -8.848109604006821e-14, 9.3834172236637e-14, 8.554360006566322e-14,
+    -8.604306772808733e-14, 7.343591369867797e-14, -1.0364636459896663e-13, 9.874803015966392e-14,
+    -1.5973663463624904e-15, 1.3029797173308663e-14, 4.8230289429940886e-14, 9.30945949519689e-14,
+    -8.874507297974632e-14, -4.1641267302872263e-14, 4.169796584527195e-14, -9.120937249914984e-14,
+    7.359580186440514e-14, -1.0726867577289733e-13, 7.540916511956189e-14, 6.604544877082384e-14,
+    -9.41653814571825e-14, 5.743078393200756e-14, 4.9485167661250996e-14, 9.86835038673495e-14,
+    -9.461516580665081e-14, -3.714397754170472e-15, 8.372091099235912e-14, 7.179390019295677e-14,
+    -4.3792508292406054e-14, -1.0980754099855238e-13, 1.24915489807516e-15, 3.698459506697097e-14,
+    -5.4183331379008994e-14, -1.8996158041578768e-14, 4.668031403945796e-14, 7.556920687451337e-14,
+    1.0427241278273008e-13, 4.488953352238699e-14, -2.5799991283069902e-14, 6.526678802731071e-14,
+    -7.598636597194141e-14, -9.638067658552277e-14, -6.678708517162898e-14, 7.355770219435029e-14,
+    -5.955922987625643e-14, -8.614512936087814e-14, -2.465018906176612e-14, -7.137308225343178e-14,
+    1.8195060030168815e-14, 9.790518511990216e-14, 5.213620639136504e-14, -2.0109399435564958e-14,
+    2.532168943117445e-14, 4.9880309107981426e-14, 4.826314000551128e-14, -1.0902154302203302e-13,
+    6.839139742328777e-14, -4.529814257790929e-14, 9.806050516843177e-14, 7.007359704310036e-14,
+    8.041853850522586e-14, -1.7274567499706107e-15, 1.0903974971735932e-13, -2.298941004620351e-14,
+    -2.972634690092895e-14, 0.0, 9.878410481031469e-14, 7.840703382506278e-14,
+    -4.730054772033249e-14, -1.0610652735224087e-13, -4.9893776716773285e-14,
+    -1.4693284460141064e-14, 3.0171021061886944e-14, 1.0033424888676119e-13, 7.603386951772729e-14,
+    -2.5061174934837362e-15, -4.713370778300984e-15, 3.1218748807418837e-15,
+    3.3871241029241416e-14, -1.3438406228830954e-14, 3.957125899799804e-14, 3.013227959910772e-14,
+    7.601671269852866e-14, 1.811460150533731e-14, -6.278619479555556e-14, 8.272973285564614e-14,
+    -1.1307104809870373e-13, -8.626913488119114e-14, -7.424679100316254e-14,
+    -8.199467511461324e-14, 7.626153677429339e-14, 8.84637355812087e-14, 6.806942496762734e-14,
+    1.0634128304268335e-14, -6.827661787185498e-14, 8.405546663347035e-14, -5.204008743405884e-14,
+    1.0970699320566433e-13, -7.75890005756947e-14, -1.1318526912023687e-13, -7.252318953240293e-16,
+    -8.899851356560444e-14, 5.28323330087437e-14, 9.704226792067357e-14, 6.371947269815667e-14,
+    -6.465103064005256e-14, -6.279055732660844e-14, -1.0190482133505088e-13,
+    -6.418144637660116e-14, 3.586053092023274e-14, -6.212323048084214e-14, -9.55418156600115e-15,
+    -1.0263280755261064e-13, 5.834357420090924e-14, -5.351646604259541e-14, 5.4612144489920215e-14,
+    2.8136969901227338e-14, -1.156568624616423e-14
+};
+
+/** 1/c, of ten bits at most, and ln c to multiples of 2⁻⁴². */
+static const double COARSE_ROWS[128][2] = {
+    {1.4140625, -0.3464667673461008},
+    {1.40625, -0.34092658697068146},
+    {1.3984375, -0.3353555419212171},
+    {1.390625, -0.32975328637257917},
+    {1.3828125, -0.32411946865431673},
+    {1.375, -0.31845373111855224},
+    {1.3671875, -0.31275571000378477},
+    {1.36328125, -0.30989447772276435},
+    {1.35546875, -0.30414733546740536},
+    {1.34765625, -0.2983669725517757},
+    {1.33984375, -0.29255300268641804},
+    {1.33203125, -0.28670503280386583},
+    {1.328125, -0.28376817313073843},
+    {1.3203125, -0.27786845100354185},
+    {1.3125, -0.2719337154835557},
+    {1.3046875, -0.2659635484972114},
+    {1.30078125, -0.2629650455007777},
+    {1.29296875, -0.2569409308975992},
+    {1.28515625, -0.2508803062858078},
+    {1.28125, -0.2478361639045943},
+    {1.2734375, -0.2417199368871934},
+    {1.265625, -0.23556607131286},
+    {1.26171875, -0.23247487874300532},
+    {1.25390625, -0.22626367865041175},
+    {1.25, -0.22314355131425145},
+    {1.2421875, -0.21687393830052315},
+    {1.23828125, -0.21372432939779173},
+    {1.23046875, -0.20739519434596332},
+    {1.2265625, -0.2042155414287663},
+    {1.21875, -0.19782574332998593},
+    {1.21484375, -0.1946154676995775},
+    {1.20703125, -0.18816383241824042},
+    {1.203125, -0.18492233849406148},
+    {1.1953125, -0.17840765747291698},
+    {1.19140625, -0.17513433212775453},
+    {1.18359375, -0.16855536102980295},
+    {1.1796875, -0.16524957289539088},
+    {1.17578125, -0.16193282026938505},
+    {1.16796875, -0.15526612891108016},
+    {1.1640625, -0.15191604202573217},
+    {1.16015625, -0.1485546943231384},
+    {1.15234375, -0.14179791186029433},
+    {1.1484375, -0.13840232285906495},
+    {1.14453125, -0.13499516453748583},
+    {1.13671875, -0.12814582269197672},
+    {1.1328125, -0.1247034785010328},
+    {1.12890625, -0.12124924363297396},
+    {1.12109375, -0.11430477128010352},
+    {1.1171875, -0.11081436634026431},
+    {1.11328125, -0.10731173578915332},
+    {1.109375, -0.10379679368156758},
+    {1.1015625, -0.09672962645845473},
+    {1.09765625, -0.0931772248541165},
+    {1.09375, -0.08961215868976069},
+    {1.08984375, -0.0860343373417436},
+    {1.0859375, -0.08244366921098845},
+    {1.08203125, -0.07884006170775137},
+    {1.07421875, -0.07159365318693744},
+    {1.0703125, -0.06795066190852594},
+    {1.06640625, -0.06429435070549516},
+    {1.0625, -0.06062462181648698},
+    {1.05859375, -0.056941376400118315},
+    {1.0546875, -0.053244514518837605},
+    {1.05078125, -0.04953393512232651},
+    {1.04296875, -0.04207121392073532},
+    {1.0390625, -0.03831886430202758},
+    {1.03515625, -0.034552381506728125},
+    {1.03125, -0.03077165866670839},
+    {1.02734375, -0.026976587698300136},
+    {1.0234375, -0.023167059281604452},
+    {1.01953125, -0.019342962843211353},
+    {1.015625, -0.015504186535963527},
+    {1.01171875, -0.011650617220084314},
+    {1.0078125, -0.0077821404420319595},
+    {1.00390625, -0.0038986404156275967},
+    {1.0, 0.0},
+    {0.9921875, 0.007843177460927109},
+    {0.984375, 0.01574835696806076},
+    {0.9765625, 0.023716526617363343},
+    {0.96875, 0.03174869831468641},
+    {0.9609375, 0.039845908547249564},
+    {0.955078125, 0.04596213556465045},
+    {0.94921875, 0.05211600113898385},
+    {0.94140625, 0.060380510988807146},
+    {0.93359375, 0.06871389254797577},
+    {0.927734375, 0.07500982100486908},
+    {0.921875, 0.08134563945395712},
+    {0.9140625, 0.08985632912185793},
+    {0.90625, 0.09844007281321865},
+    {0.90234375, 0.10275973395778237},
+    {0.89453125, 0.11145544092528326},
+    {0.888671875, 0.11802720608852724},
+    {0.8828125, 0.12464244520720058},
+    {0.876953125, 0.13130173729723538},
+    {0.87109375, 0.1380056730195065},
+    {0.865234375, 0.14475485499428942},
+    {0.859375, 0.151549898127314},
+    {0.853515625, 0.1583914299440039},
+    {0.84765625, 0.16528009093917717},
+    {0.841796875, 0.172216534935842},
+    {0.8359375, 0.17920142945763473},
+    {0.83203125, 0.1838852787700489},
+    {0.826171875, 0.19095244599316175},
+    {0.8203125, 0.19806991376208316},
+    {0.81640625, 0.20284319251481975},
+    {0.810546875, 0.21004610480872543},
+    {0.8046875, 0.21730127569003344},
+    {0.80078125, 0.2221674653410446},
+    {0.794921875, 0.22951143959699039},
+    {0.7890625, 0.2369097470784709},
+    {0.78515625, 0.24187253642048745},
+    {0.78125, 0.2468600779316148},
+    {0.775390625, 0.25438834435226454},
+    {0.771484375, 0.2594388601382889},
+    {0.765625, 0.2670627852489815},
+    {0.76171875, 0.2721778859158803},
+    {0.7578125, 0.27731928541629713},
+    {0.75390625, 0.28248725557477883},
+    {0.748046875, 0.290289635858926},
+    {0.744140625, 0.29552524991277096},
+    {0.740234375, 0.30078841995714356},
+    {0.736328125, 0.3060794375915066},
+    {0.73046875, 0.3140688276250785},
+    {0.7265625, 0.3194307707663029},
+    {0.72265625, 0.3248216194012912},
+    {0.71875, 0.33024168687052224},
+    {0.71484375, 0.3356912916381134},
+    {0.7109375, 0.3411707574027787}
+};
+
+/**
+ * Coefficient of x² in the Taylor series of e^x. Up to |x| = (ln 2)/256 the terms after the fifth power are below
+ * 2⁻⁶⁰. In Rust: `1.0 / 2.0`.
+ */
+static const double E2 = 0.5;
+
+/** Coefficient of x³. In Rust: `1.0 / 6.0`. */
+static const double E3 = 0.16666666666666666;
+
+/** Coefficient of x⁴. In Rust: `1.0 / 24.0`. */
+static const double E4 = 0.041666666666666664;
+
+/** Coefficient of x⁵. In Rust: `1.0 / 120.0`. */
+static const double E5 = 0.008333333333333333;
+
+/**
+ * Coefficient of x⁶ in the Taylor series of e^x. With it, the omitted terms are below 2⁻⁶¹ up to |x| = (ln 2)/256 +
+ * 1/200. In Rust: `1.0 / 720.0`.
+ */
+static const double E6 = 0.001388888888888889;
+
+/**
+ * (ln(1 + r) − r + r²/2)/r³ in powers of r, −0.0068 to 0.0068, the range of a row of `COARSE_ROWS`. Interpolated at 7 Chebyshev points; the error is below 2⁻⁵⁵.
+ */
+static const double FINER_LN[7] = {
+    0.3333333333333333, -0.2500000000000011, 0.19999999999998155, -0.16666666647591571,
+    0.14285714407282019, -0.1250081705872971, 0.11109474244766557
+};
+
+/** The logarithm of 2 to a multiple of 2⁻⁴². */
+static const double LN_2_HIGH = 0.6931471805598903;
+
+/** The logarithm of 2 minus its high part. */
+static const double LN_2_LOW = 5.497923018708371e-14;
+
+/**
+ * Up to this |x|, e^x and the summands of its last addition are normal numbers. e^−660 is above 2⁻⁹⁵³, its last place
+ * above 2⁻¹⁰⁰⁶.
+ */
+static const double NORMAL = 660.0;
+
+/** 128/ln 2. */
+static const double STEPS_PER_UNIT = 184.6649652337873;
+
+/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
+static const double TO_INTEGER = 0x1.8p52;
+
+/**
+ * The leading 36 bits of (ln 2)/128: a multiple by up to 138 499 is exact, in units of 2⁻⁴³ and below 1024.
+ */
+static const double UNIT_STEP_HIGH = 0.005415212348111709;
+
+/** The rest of (ln 2)/128. */
+static const double UNIT_STEP_LOW = 1.2864023111638346e-14;
+
+/** Mask of the upper half of a double's bits: the product of two doubles masked by it is exact. */
+static const uint64_t UPPER = UINT64_C(0xFFFFFFFF00000000);
+
+/** The exact sum `a + b`, if `a` is zero or not the smaller in magnitude (Dekker). */
+static inline void pair_ordered_sum(double a, double b, pair_t *pair)
+{
+    const double high = a + b;
+    pair->high = high;
+    pair->low = b - (high - a);
+}
+
+/** The parts of a normal number, given its bits. */
+static inline void logarithm_parts(uint64_t bits, parts_t *parts)
+{
+    /* Above 1 + 52.5/128 a significand is halved. */
+    const uint32_t above = (uint32_t)(bits >> 32) - 0x3FE69000U;
+    const int32_t exponent = shift_right_i32(wrap_i32(above), 20U);
+    parts->exponent = exponent;
+    parts->row = u64_from_u32((above >> 13) & 0x7FU);
+    parts->significand = f64_from_bits(bits - ((uint64_t)(uint32_t)exponent << 52));
+}
+
+/** ln x of 2^`exponent` · `parts`, as a sum of two doubles that may overlap, to about 68 bits. */
+static inline void logarithm_logarithm(const parts_t *parts, double exponent, pair_t *pair)
+{
+    const uint64_t row = parts->row & UINT64_C(0x7F);
+    const double reciprocal = COARSE_ROWS[row][0];
+
+    /* To the nearest: next to 1 the coarse part alone is 1. */
+    const uint64_t bits = raw_bits_of_f64(parts->significand);
+    const double coarse = f64_from_bits((bits + UINT64_C(0x80000000)) & UPPER);
+    const double r_high = coarse * reciprocal - 1.0;
+    const double r_low = (parts->significand - coarse) * reciprocal;
+
+    /* Exact, as are both parts, the first sum, and the square of r_high. */
+    const double r = r_high + r_low;
+    const double start = exponent * LN_2_HIGH + COARSE_ROWS[row][1];
+    pair_t lead;
+    pair_ordered_sum(start, r, &lead);
+    const double half = 0.5 * r_high;
+    pair_t next;
+    pair_ordered_sum(lead.high, -half * r_high, &next);
+    const double cross = r_low * (half + 0.5 * r);
+    const double rest = COARSE_REST[row] + exponent * LN_2_LOW;
+    const double z = r * r;
+    const double upper = FINER_LN[4] + r * FINER_LN[5] + z * FINER_LN[6];
+    const double tail = FINER_LN[0] + r * FINER_LN[1]
+        + z * (FINER_LN[2] + r * FINER_LN[3] + z * upper);
+    pair->high = next.high;
+    pair->low = r * z * tail + (rest + lead.low + (next.low - cross));
+}
+
+/** The rounding error of the double nearest to 2^(`steps`/128), as a fraction of it. */
+static inline double exponential_step_rest(uint64_t steps)
+{
+    return f64_from_bits(POWERS_OF_TWO[steps & UINT64_C(0x7F)][0]);
+}
+
+/**
+ * e^(`high` + `low`) for `high` from −750 to 750 and |`low`| up to 1/200, before its last rounding.
+ */
+static inline void exponential_power_of_pair(double high, double low, power_t *power)
+{
+    const double shifted = high * STEPS_PER_UNIT + TO_INTEGER;
+    const double steps = shifted - TO_INTEGER;
+    const double r = high - steps * UNIT_STEP_HIGH - steps * UNIT_STEP_LOW + low;
+
+    /* As for one double, a term longer. */
+    const double z = r * r;
+    const double tail = E2 + r * E3 + z * (E4 + r * E5 + z * E6);
+    const uint64_t bits = raw_bits_of_f64(shifted);
+    power->steps = bits;
+    power->rest = exponential_step_rest(bits) + r + z * tail;
+}
+
+/** The double nearest to 2^(`steps`/128), where that is a normal number. */
+static inline double exponential_step(uint64_t steps)
+{
+    /* The upper half alone changes: one addition where a word has 32 bits. */
+    const uint64_t bits = POWERS_OF_TWO[steps & UINT64_C(0x7F)][1];
+    const uint32_t upper = (uint32_t)(bits >> 32) + ((uint32_t)steps << 13);
+    return f64_from_bits(((uint64_t)upper << 32) | (bits & UINT64_C(0xFFFFFFFF)));
+}
 
 double power_powf(double x, double y)
 {
@@ -49,12 +357,12 @@ double power_powf(double x, double y)
         logarithm_logarithm(&parts, (double)exponent, &logarithm);
 
         /* 21 bits each: their product is exact. */
-        const double upper = f64_from_bits(raw_bits_of_f64(logarithm.high) & PAIR_UPPER);
-        const double y_upper = f64_from_bits(raw_bits_of_f64(y) & PAIR_UPPER);
+        const double upper = f64_from_bits(raw_bits_of_f64(logarithm.high) & UPPER);
+        const double y_upper = f64_from_bits(raw_bits_of_f64(y) & UPPER);
         const double lower = logarithm.high - upper + logarithm.low;
         const double high = y_upper * upper;
         const double low = (y - y_upper) * upper + y * lower;
-        if (!(fabs(high) < EXPONENTIAL_NORMAL)) {
+        if (!(fabs(high) < NORMAL)) {
             return extremes_far_power(x, y, high, low);
         }
         power_t power;

@@ -19,15 +19,19 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "bessemer_constants.h"
 #include "bessemer_helpers.h"
-#include "bessemer_inline.h"
 #include "bessemer_target.h"
 #include "pair.h"
 
 /** Up to this angle, in rad, the number of quarter turns is below 2²⁰. */
 static const double FEW_TURNS = 1600000.0;
 static const double FRAC_2_PI = 0.6366197723675814;
+
+/** π/2, to a double. */
+static const double HALF_PI_HIGH = 1.5707963267948966;
+
+/** π/2, minus its high part. */
+static const double HALF_PI_LOW = 6.123233995736766e-17;
 
 /** The leading 33 bits of π/2: a multiple of it by up to 2²⁰ is exact. */
 static const double QUARTER_TURN_1 = 1.5707963267341256;
@@ -40,6 +44,12 @@ static const double QUARTER_TURN_3 = 2.0222662487111665e-21;
 
 /** The rest of π/2. */
 static const double QUARTER_TURN_4 = 8.4784276603689e-32;
+
+/** 2²⁷ + 1: a product with it splits a double into halves of 26 bits (Veltkamp). */
+static const double SPLITTER = 134217729.0;
+
+/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
+static const double TO_INTEGER = 0x1.8p52;
 
 /** The bits of 2/π after 64 zeros, most significant first. */
 static const uint64_t TWO_OVER_PI[36] = {
@@ -64,6 +74,58 @@ static inline uint64_t reduction_window(uint64_t word, uint64_t next, uint64_t s
     return (word << shift_2) | (next >> 1 >> (UINT64_C(63) - shift_2));
 }
 
+/** The upper 64 bits of a product. */
+static inline uint64_t reduction_upper_product(uint64_t a, uint64_t b)
+{
+    const uint64_t a_high = a >> 32;
+    const uint64_t a_low = a & UINT64_C(0xFFFFFFFF);
+    const uint64_t b_high = b >> 32;
+    const uint64_t b_low = b & UINT64_C(0xFFFFFFFF);
+    const uint64_t first = a_high * b_low + ((a_low * b_low) >> 32);
+    const uint64_t second = a_low * b_high + (first & UINT64_C(0xFFFFFFFF));
+    return a_high * b_high + (first >> 32) + (second >> 32);
+}
+
+/** The exact sum `a + b` (Knuth). */
+static inline void pair_sum(double a, double b, pair_t *pair)
+{
+    const double high = a + b;
+    const double from_b = high - a;
+    pair->high = high;
+    pair->low = a - (high - from_b) + (b - from_b);
+}
+
+/** The exact sum `a + b`, if `a` is zero or not the smaller in magnitude (Dekker). */
+static inline void pair_ordered_sum(double a, double b, pair_t *pair)
+{
+    const double high = a + b;
+    pair->high = high;
+    pair->low = b - (high - a);
+}
+
+/** The exact product `a * b`, below 2⁹⁹⁶ and without underflow (Dekker, Veltkamp). */
+static inline void pair_product(double a, double b, pair_t *pair)
+{
+    const double a_scaled = SPLITTER * a;
+    const double a_high = a_scaled - (a_scaled - a);
+    const double a_low = a - a_high;
+    const double b_scaled = SPLITTER * b;
+    const double b_high = b_scaled - (b_scaled - b);
+    const double b_low = b - b_high;
+    const double high = a * b;
+    const double low = a_high * b_high - high + a_high * b_low + a_low * b_high + a_low * b_low;
+    pair->high = high;
+    pair->low = low;
+}
+
+/** `a * b` to about 100 bits. */
+static inline void pair_times(const pair_t *a, const pair_t *b, pair_t *pair)
+{
+    pair_t lead;
+    pair_product(a->high, b->high, &lead);
+    pair_ordered_sum(lead.high, lead.low + (a->high * b->low + a->low * b->high), pair);
+}
+
 void reduction_reduce(double x, reduced_angle_t *reduced_angle)
 {
     const double size = fabs(x);
@@ -72,8 +134,8 @@ void reduction_reduce(double x, reduced_angle_t *reduced_angle)
         reduced_angle->low = 0.0;
         reduced_angle->quadrant = UINT64_C(0);
     } else if (size <= FEW_TURNS) {
-        const double shifted = x * FRAC_2_PI + SINE_TO_INTEGER;
-        const double quarter_turns = shifted - SINE_TO_INTEGER;
+        const double shifted = x * FRAC_2_PI + TO_INTEGER;
+        const double quarter_turns = shifted - TO_INTEGER;
 
         /* Three products without loss; what the two differences lose is kept. */
         const double first = x - quarter_turns * QUARTER_TURN_1;
@@ -149,7 +211,7 @@ void reduction_reduce_huge(double x, reduced_angle_t *reduced_angle)
     pair_ordered_sum(lead.high, rest.high, &upper);
     pair_t fraction_2;
     pair_ordered_sum(upper.high, upper.low + (rest.low + least), &fraction_2);
-    const pair_t angle_b = {.high = ANGLES_HALF_PI_HIGH, .low = ANGLES_HALF_PI_LOW};
+    const pair_t angle_b = {.high = HALF_PI_HIGH, .low = HALF_PI_LOW};
     pair_t angle;
     pair_times(&fraction_2, &angle_b, &angle);
     const bool backwards = x < 0.0;

@@ -18,9 +18,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "bessemer_constants.h"
 #include "bessemer_helpers.h"
-#include "bessemer_inline.h"
 #include "bessemer_target.h"
 #include "reduction.h"
 
@@ -130,8 +128,30 @@ static const double SINE_ROWS[64][3] = {
     {0.049067674327418015, -6.79610372051828e-19, -0.9987954562051724}
 };
 
+/** 64/π. */
+static const double STEPS_PER_RADIAN = 20.371832715762604;
+
+/** The leading 33 bits of π/64: a multiple of it by up to 2²⁰ is exact. */
+static const double STEP_HIGH = 0.049087385210441425;
+
+/** The rest of π/64. */
+static const double STEP_LOW = 1.899093908283185e-12;
+
 /** 2⁻²⁷: a smaller angle equals its sine and its tangent to the last bit. */
 static const double TINY = 0x1p-27;
+
+/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
+static const double TO_INTEGER = 0x1.8p52;
+
+/** `value`, negated if `row` is in the second half of a turn; a turn has 128 rows. */
+static inline double sine_signed(double value, uint64_t row)
+{
+    if ((row & UINT64_C(0x40)) == UINT64_C(0)) {
+        return value;
+    } else {
+        return -value;
+    }
+}
 
 /** Sine of `row`·π/64 + `rest` for |rest| ≤ π/128, if the sine is at least 1/4. */
 static inline double sine_from_row(uint64_t row, double rest)
@@ -158,13 +178,13 @@ static inline double sine_near_zero(double high, double low)
 /** Sine of `x` + `quarter_turns` · π/2. */
 static inline double sine_turned(double x, uint64_t quarter_turns)
 {
-    const double shifted = x * ANGLES_STEPS_PER_RADIAN + SINE_TO_INTEGER;
+    const double shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
     const uint64_t row = raw_bits_of_f64(shifted) + (quarter_turns << 5);
 
     /* Within 5½ rows of a multiple of π the sine is below 0.27, and the sum loses too much. */
     if (fabs(x) < MODERATE && ((row + UINT64_C(5)) & UINT64_C(0x3F)) > UINT64_C(10)) {
-        const double steps = shifted - SINE_TO_INTEGER;
-        return sine_from_row(row, x - steps * ANGLES_STEP_HIGH - steps * ANGLES_STEP_LOW);
+        const double steps = shifted - TO_INTEGER;
+        return sine_from_row(row, x - steps * STEP_HIGH - steps * STEP_LOW);
     } else {
         return sine_by_reduction(x, quarter_turns);
     }
@@ -193,10 +213,9 @@ double sine_by_reduction(double x, uint64_t quarter_turns)
             return -value;
         }
     } else {
-        const double shifted = angle.high * ANGLES_STEPS_PER_RADIAN + SINE_TO_INTEGER;
-        const double steps = shifted - SINE_TO_INTEGER;
-        const double rest = angle.high - steps * ANGLES_STEP_HIGH - steps * ANGLES_STEP_LOW
-            + angle.low;
+        const double shifted = angle.high * STEPS_PER_RADIAN + TO_INTEGER;
+        const double steps = shifted - TO_INTEGER;
+        const double rest = angle.high - steps * STEP_HIGH - steps * STEP_LOW + angle.low;
         return sine_from_row(raw_bits_of_f64(shifted) + (quadrant << 5), rest);
     }
 }

@@ -124,8 +124,8 @@ pub mod prelude {
     pub use crate::generate::mem::drop;
     pub use crate::math::{Integer, Real, real};
     pub use crate::{
-        BoundedMatrix, List, State, Text, c, component, data, entry, external, function,
-        interface, matrix, requirement, vector,
+        BoundedMatrix, List, State, Text, c, component, data, entry, external, function, interface,
+        matrix, requirement, vector,
     };
     pub use nalgebra::{
         Isometry3, Matrix1, Matrix1x2, Matrix1x3, Matrix1x4, Matrix1x5, Matrix1x6, Matrix2,

@@ -28,7 +28,7 @@ pub fn of_function(function: &mut syn::ItemFn, external: bool, refusals: &mut Re
     let attributes = &mut function.attrs;
     let inlining = inlining(attributes);
     let role = match is_inline(attributes) {
-        true => Role::Inline { public: is_public(&function.vis) },
+        true => Role::Inline { public: is_exported(&function.vis) },
         false => visible(&function.vis),
     };
     let mut asked = Asked::new(role, Attributes { inlining, ..Attributes::default() });
@@ -83,6 +83,11 @@ pub fn is_public(visibility: &syn::Visibility) -> bool {
     !matches!(visibility, syn::Visibility::Inherited)
 }
 
+/// Returns true if an item is `pub` without a restriction.
+pub fn is_exported(visibility: &syn::Visibility) -> bool {
+    matches!(visibility, syn::Visibility::Public(_))
+}
+
 /// Returns the role of an item that other modules call only if it is `pub`.
 fn visible(visibility: &syn::Visibility) -> Role {
     if is_public(visibility) { Role::Public } else { Role::Private }
@@ -93,7 +98,7 @@ pub fn of_own_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Re
     let mut asked = of_method(kind, method, refusals);
     match &mut asked.role {
         Role::Public => asked.role = visible(&method.vis),
-        Role::Inline { public } => *public = is_public(&method.vis),
+        Role::Inline { public } => *public = is_exported(&method.vis),
         _ => {}
     }
     asked

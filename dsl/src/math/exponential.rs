@@ -5,6 +5,9 @@
 //! double, and the last from its Taylor polynomial. Only the last addition rounds visibly, also for subnormal
 //! results; the polynomial is off by less than 2⁻⁶⁰, and so is each earlier rounding.
 //!
+//! Most arguments take four steps: split x, look up the power of two of its steps, add the polynomial of the
+//! remainder, and round once. Results that may not be normal numbers take a longer way, with one rounding, too.
+//!
 //! Up to |x| = 750 the number of steps of (ln 2)/128 is at most 138 499, which fits in 19 bits with its sign. Its
 //! product with the leading part of the step is exact: a multiple of 2⁻⁴³ below 1024.
 
@@ -19,20 +22,20 @@ use crate::prelude::*;
 /// Coefficient of x² in the Taylor series of e^x. Up to |x| = (ln 2)/256 the terms after the fifth power are below
 /// 2⁻⁶⁰.
 #[crate::data]
-pub const E2: f64 = 1.0 / 2.0;
+pub(crate) const E2: f64 = 1.0 / 2.0;
 /// Coefficient of x³.
 #[crate::data]
-pub const E3: f64 = 1.0 / 6.0;
+pub(crate) const E3: f64 = 1.0 / 6.0;
 /// Coefficient of x⁴.
 #[crate::data]
-pub const E4: f64 = 1.0 / 24.0;
+pub(crate) const E4: f64 = 1.0 / 24.0;
 /// Coefficient of x⁵.
 #[crate::data]
-pub const E5: f64 = 1.0 / 120.0;
+pub(crate) const E5: f64 = 1.0 / 120.0;
 /// Coefficient of x⁶ in the Taylor series of e^x. With it, the omitted terms are below 2⁻⁶¹ up to |x| = (ln 2)/256 +
 /// 1/200.
 #[crate::data]
-pub const E6: f64 = 1.0 / 720.0;
+pub(crate) const E6: f64 = 1.0 / 720.0;
 
 /// Coefficient of x² in the Taylor series of 2^x. Up to |x| = 1/256 the terms after the fifth power are below 2⁻⁶⁰.
 #[crate::data]
@@ -54,7 +57,7 @@ pub(crate) const TO_STEP: f64 = TO_INTEGER / 128.0;
 /// Up to this |x|, e^x and the summands of its last addition are normal numbers. e^−660 is above 2⁻⁹⁵³, its last place
 /// above 2⁻¹⁰⁰⁶.
 #[crate::data]
-pub const NORMAL: f64 = 660.0;
+pub(crate) const NORMAL: f64 = 660.0;
 /// From this |x| on, e^x and its half are ∞ or 0: the largest number is below e^710, half of the smallest above
 /// e^−746.
 #[crate::data]
@@ -92,7 +95,7 @@ fn power_of_two(exponent: i32) -> f64 {
 /// The double nearest to 2^(`steps`/128), where that is a normal number.
 #[inline]
 #[function]
-pub fn step(steps: u64) -> f64 {
+pub(crate) fn step(steps: u64) -> f64 {
     // The upper half alone changes: one addition where a word has 32 bits.
     let bits = OF_TWO[(steps & 127) as usize][1];
     let upper = ((bits >> 32) as u32).wrapping_add((steps as u32) << 13);
@@ -102,7 +105,7 @@ pub fn step(steps: u64) -> f64 {
 /// The rounding error of the double nearest to 2^(`steps`/128), as a fraction of it.
 #[inline]
 #[function]
-pub fn step_rest(steps: u64) -> f64 {
+pub(crate) fn step_rest(steps: u64) -> f64 {
     f64::from_bits(OF_TWO[(steps & 127) as usize][0])
 }
 
@@ -118,7 +121,7 @@ fn step_power(steps: u64, r: f64) -> Power {
 /// e^x for x from −750 to 750, before its last rounding.
 #[inline]
 #[function]
-pub fn power(x: f64) -> Power {
+pub(crate) fn power(x: f64) -> Power {
     let shifted = x * STEPS_PER_UNIT + TO_INTEGER;
     let steps = shifted - TO_INTEGER;
     step_power(shifted.raw_bits(), (x - steps * UNIT_STEP_HIGH) - steps * UNIT_STEP_LOW)
@@ -127,15 +130,15 @@ pub fn power(x: f64) -> Power {
 /// e^(`high` + `low`) for `high` from −750 to 750 and |`low`| up to 1/200, before its last rounding.
 #[inline]
 #[function]
-pub fn power_of_pair(high: f64, low: f64) -> Power {
+pub(crate) fn power_of_pair(high: f64, low: f64) -> Power {
     let shifted = high * STEPS_PER_UNIT + TO_INTEGER;
     let steps = shifted - TO_INTEGER;
     let r = ((high - steps * UNIT_STEP_HIGH) - steps * UNIT_STEP_LOW) + low;
     // As for one double, a term longer.
     let z = r * r;
     let tail = (E2 + r * E3) + z * ((E4 + r * E5) + z * E6);
-    let steps = shifted.raw_bits();
-    Power { steps, rest: (step_rest(steps) + r) + z * tail }
+    let bits = shifted.raw_bits();
+    Power { steps: bits, rest: (step_rest(bits) + r) + z * tail }
 }
 
 /// The rounded power times 2^`more`, which is 1 or ½. The result may be subnormal; only the last addition rounds it.

@@ -39,7 +39,7 @@ pub struct Parts {
 /// The parts of a normal number, given its bits.
 #[inline]
 #[function]
-pub fn parts(bits: u64) -> Parts {
+pub(crate) fn parts(bits: u64) -> Parts {
     // Above 1 + 52.5/128 a significand is halved.
     let above = ((bits >> 32) as u32).wrapping_sub(0x3fe6_9000);
     let exponent = above as i32 >> 20;
@@ -53,7 +53,7 @@ pub fn parts(bits: u64) -> Parts {
 /// Returns true if the bits are those of a positive, normal and finite number.
 #[inline]
 #[function]
-pub fn is_plain(bits: u64) -> bool {
+pub(crate) fn is_plain(bits: u64) -> bool {
     ((bits >> 32) as u32).wrapping_sub(0x0010_0000) < 0x7fe0_0000
 }
 
@@ -247,7 +247,7 @@ pub fn far_ln_1p(x: f64) -> f64 {
 /// ln x of 2^`exponent` · `parts`, as a sum of two doubles that may overlap, to about 68 bits.
 #[inline]
 #[function]
-pub fn logarithm(parts: Parts, exponent: f64) -> Pair {
+pub(crate) fn logarithm(parts: Parts, exponent: f64) -> Pair {
     let row = parts.row & 127;
     let reciprocal = COARSE_ROWS[row][0];
     // To the nearest: next to 1 the coarse part alone is 1.

@@ -8,13 +8,13 @@ use crate::prelude::*;
 
 /// Mask of the upper half of a double's bits: the product of two doubles masked by it is exact.
 #[crate::data]
-pub const UPPER: u64 = 0xffff_ffff_0000_0000;
+pub(crate) const UPPER: u64 = 0xffff_ffff_0000_0000;
 /// Mask of all bits of a double except the last 27: the square of a double masked by it is exact.
 #[crate::data]
-pub const LEADING: u64 = 0xffff_ffff_f800_0000;
+pub(crate) const LEADING: u64 = 0xffff_ffff_f800_0000;
 /// 2²⁷ + 1: a product with it splits a double into halves of 26 bits (Veltkamp).
 #[crate::data]
-pub const SPLITTER: f64 = 134_217_729.0;
+pub(crate) const SPLITTER: f64 = 134_217_729.0;
 
 /// A number as the sum of a double and a correction.
 #[data]
@@ -29,7 +29,7 @@ pub struct Pair {
 /// The exact sum `a + b` (Knuth).
 #[inline]
 #[function]
-pub fn sum(a: f64, b: f64) -> Pair {
+pub(crate) fn sum(a: f64, b: f64) -> Pair {
     let high = a + b;
     let from_b = high - a;
     Pair { high, low: (a - (high - from_b)) + (b - from_b) }
@@ -38,7 +38,7 @@ pub fn sum(a: f64, b: f64) -> Pair {
 /// The exact sum `a + b`, if `a` is zero or not the smaller in magnitude (Dekker).
 #[inline]
 #[function]
-pub fn ordered_sum(a: f64, b: f64) -> Pair {
+pub(crate) fn ordered_sum(a: f64, b: f64) -> Pair {
     let high = a + b;
     Pair { high, low: b - (high - a) }
 }
@@ -46,7 +46,7 @@ pub fn ordered_sum(a: f64, b: f64) -> Pair {
 /// The exact product `a * b`, below 2⁹⁹⁶ and without underflow (Dekker, Veltkamp).
 #[inline]
 #[function]
-pub fn product(a: f64, b: f64) -> Pair {
+pub(crate) fn product(a: f64, b: f64) -> Pair {
     let a_scaled = SPLITTER * a;
     let a_high = a_scaled - (a_scaled - a);
     let a_low = a - a_high;
@@ -61,7 +61,7 @@ pub fn product(a: f64, b: f64) -> Pair {
 /// `a * b` to about 100 bits.
 #[inline]
 #[function]
-pub fn times(a: Pair, b: Pair) -> Pair {
+pub(crate) fn times(a: Pair, b: Pair) -> Pair {
     let lead = product(a.high, b.high);
     ordered_sum(lead.high, lead.low + (a.high * b.low + a.low * b.high))
 }
@@ -69,7 +69,7 @@ pub fn times(a: Pair, b: Pair) -> Pair {
 /// `a / b` to about 100 bits.
 #[inline]
 #[function]
-pub fn quotient(a: Pair, b: Pair) -> Pair {
+pub(crate) fn quotient(a: Pair, b: Pair) -> Pair {
     let above = ordered_sum(a.high, a.low);
     let below = ordered_sum(b.high, b.low);
     let high = above.high / below.high;

@@ -65,7 +65,7 @@ pub fn reduce(x: f64) -> ReducedAngle {
 /// The upper 64 bits of a product.
 #[inline]
 #[function]
-pub fn upper_product(a: u64, b: u64) -> u64 {
+pub(crate) fn upper_product(a: u64, b: u64) -> u64 {
     let a_high = a >> 32;
     let a_low = a & 0xffff_ffff;
     let b_high = b >> 32;

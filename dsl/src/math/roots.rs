@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// exponent's bias, in the same place, and balances the error.
 #[inline]
 #[function]
-pub fn coarse_root(upper: u32, bias: u32) -> f64 {
+pub(crate) fn coarse_root(upper: u32, bias: u32) -> f64 {
     f64::from_bits(((upper / 3).wrapping_add(bias) as u64) << 32)
 }
 

@@ -16,7 +16,7 @@ use crate::prelude::*;
 pub(crate) const MODERATE: f64 = 50_000.0;
 /// 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits.
 #[crate::data]
-pub const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
+pub(crate) const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 /// 2⁻²⁷: a smaller angle equals its sine and its tangent to the last bit.
 #[crate::data]
 pub(crate) const TINY: f64 = 7.450580596923828e-9;

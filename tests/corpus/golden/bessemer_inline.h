@@ -28,7 +28,6 @@
 #include "comparisons.h"
 #include "derived_order.h"
 #include "enums.h"
-#include "exponential.h"
 #include "fast.h"
 #include "i128.h"
 #include "isometry.h"
@@ -38,7 +37,6 @@
 #include "list3_u16.h"
 #include "list3_u8.h"
 #include "list4_f64.h"
-#include "logarithm.h"
 #include "nested_equality.h"
 #include "of_arrays_of_enums.h"
 #include "of_arrays_of_structs.h"
@@ -63,7 +61,6 @@
 #include "option_u8.h"
 #include "own_equalities.h"
 #include "own_equality.h"
-#include "pair.h"
 #include "pair_f32_bool.h"
 #include "pair_f32_f32.h"
 #include "pair_f64_bool.h"
@@ -81,102 +78,12 @@
 #include "quaternion.h"
 #include "ranked_extremes.h"
 #include "result_usize_usize.h"
-#include "symmetric.h"
 #include "text.h"
 #include "text_lines.h"
 #include "triple_vector3_f64_matrix1x2_f32_matrix2x2_f64.h"
 #include "u128.h"
 #include "unit_quaternion.h"
 #include "unit_quaternions.h"
-
-/* So many passes of the loop are written out at once; 1 keeps the loop. Nothing where the compiler is not known. */
-#ifndef BESSEMER_UNROLL
-#if defined(__clang__)
-#define BESSEMER_PRAGMA(text) _Pragma(#text)
-#define BESSEMER_UNROLL(count) BESSEMER_PRAGMA(unroll count)
-#elif defined(__GNUC__) && __GNUC__ >= 8
-#define BESSEMER_PRAGMA(text) _Pragma(#text)
-#define BESSEMER_UNROLL(count) BESSEMER_PRAGMA(GCC unroll count)
-#else
-#define BESSEMER_UNROLL(count)
-#endif
-#endif
-
-/** `value`, negated if `row` is in the second half of a turn; a turn has 128 rows. */
-static inline double sine_signed(double value, uint64_t row)
-{
-    if ((row & UINT64_C(0x40)) == UINT64_C(0)) {
-        return value;
-    } else {
-        return -value;
-    }
-}
-
-/** The upper 64 bits of a product. */
-static inline uint64_t reduction_upper_product(uint64_t a, uint64_t b)
-{
-    const uint64_t a_high = a >> 32;
-    const uint64_t a_low = a & UINT64_C(0xFFFFFFFF);
-    const uint64_t b_high = b >> 32;
-    const uint64_t b_low = b & UINT64_C(0xFFFFFFFF);
-    const uint64_t first = a_high * b_low + ((a_low * b_low) >> 32);
-    const uint64_t second = a_low * b_high + (first & UINT64_C(0xFFFFFFFF));
-    return a_high * b_high + (first >> 32) + (second >> 32);
-}
-
-/** The exact sum `a + b` (Knuth). */
-static inline void pair_sum(double a, double b, pair_pair_t *pair)
-{
-    const double high = a + b;
-    const double from_b = high - a;
-    pair->high = high;
-    pair->low = a - (high - from_b) + (b - from_b);
-}
-
-/** The exact sum `a + b`, if `a` is zero or not the smaller in magnitude (Dekker). */
-static inline void pair_ordered_sum(double a, double b, pair_pair_t *pair)
-{
-    const double high = a + b;
-    pair->high = high;
-    pair->low = b - (high - a);
-}
-
-/** The exact product `a * b`, below 2⁹⁹⁶ and without underflow (Dekker, Veltkamp). */
-static inline void pair_product(double a, double b, pair_pair_t *pair)
-{
-    const double a_scaled = PAIR_SPLITTER * a;
-    const double a_high = a_scaled - (a_scaled - a);
-    const double a_low = a - a_high;
-    const double b_scaled = PAIR_SPLITTER * b;
-    const double b_high = b_scaled - (b_scaled - b);
-    const double b_low = b - b_high;
-    const double high = a * b;
-    const double low = a_high * b_high - high + a_high * b_low + a_low * b_high + a_low * b_low;
-    pair->high = high;
-    pair->low = low;
-}
-
-/** `a * b` to about 100 bits. */
-static inline void pair_times(const pair_pair_t *a, const pair_pair_t *b, pair_pair_t *pair)
-{
-    pair_pair_t lead;
-    pair_product(a->high, b->high, &lead);
-    pair_ordered_sum(lead.high, lead.low + (a->high * b->low + a->low * b->high), pair);
-}
-
-/** `a / b` to about 100 bits. */
-static inline void pair_quotient(const pair_pair_t *a, const pair_pair_t *b, pair_pair_t *pair)
-{
-    pair_pair_t above;
-    pair_ordered_sum(a->high, a->low, &above);
-    pair_pair_t below;
-    pair_ordered_sum(b->high, b->low, &below);
-    const double high = above.high / below.high;
-    pair_pair_t back;
-    pair_product(high, below.high, &back);
-    const double rest = above.high - back.high - back.low + above.low - high * below.low;
-    pair_ordered_sum(high, rest / below.high, pair);
-}
 
 /**
  * Returns true if `one` is less than `other` in the order of `total_cmp`: −0 before +0, NaN last.
@@ -187,17 +94,6 @@ static inline bool sort_below_f64(double one, double other)
         return copysign_f64(1.0, one) < 0.0 && !(copysign_f64(1.0, other) < 0.0);
     }
     return one < other || (isnan(one) == 0 && isnan(other) != 0);
-}
-
-/**
- * A number within 4 % of the cube root, computed from the number's upper bits.
- *
- * The exponent and the significand are taken as one number and divided by three. `bias` is two thirds of the
- * exponent's bias, in the same place, and balances the error.
- */
-static inline double roots_coarse_root(uint32_t upper, uint32_t bias)
-{
-    return f64_from_bits(u64_from_u32(upper / 3U + bias) << 32);
 }
 
 /** Whether the two are equal, part by part. */
@@ -333,132 +229,6 @@ static inline bool sort_below_f32(float one, float other)
         return copysign_f32(1.0F, one) < 0.0F && !(copysign_f32(1.0F, other) < 0.0F);
     }
     return one < other || (isnan(one) == 0 && isnan(other) != 0);
-}
-
-/**
- * Subtracts Yᵀ Y from the covariance, and adds Yᵀ L⁻¹ ν to the state.
- *
- * Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same order.
- *
- * `rows` by columns: [row + 6 * column].
- */
-static inline void symmetric_f64_24_lose_6(symmetric_f64_24_t *self, double state[24],
-    const double rows[144], const double scaled[6])
-{
-    for (uint32_t block = 0U; block < 8U; block++) {
-        const uint32_t row = 3U * block;
-        BESSEMER_UNROLL(8)
-        for (uint32_t m = 0U; m < 6U; m++) {
-            BESSEMER_UNROLL(3)
-            for (uint32_t k = 0U; k < 3U; k++) {
-                const uint32_t state_index = row + k;
-                state[row + k] += rows[m + 6U * state_index] * scaled[m];
-            }
-        }
-        for (uint32_t col = 0U; col < row + 3U; col++) {
-            double one = self->elements[row + 24U * col];
-            double two = self->elements[row + 1U + 24U * col];
-            double three = self->elements[row + 2U + 24U * col];
-            BESSEMER_UNROLL(8)
-            for (uint32_t m = 0U; m < 6U; m++) {
-                one -= rows[m + 6U * row] * rows[m + 6U * col];
-                two -= rows[m + 6U * (row + 1U)] * rows[m + 6U * col];
-                three -= rows[m + 6U * (row + 2U)] * rows[m + 6U * col];
-            }
-            self->elements[row + 24U * col] = one;
-            self->elements[row + 1U + 24U * col] = two;
-            self->elements[row + 2U + 24U * col] = three;
-            if (col < row) {
-                self->elements[col + 24U * row] = one;
-                self->elements[col + 24U * (row + 1U)] = two;
-                self->elements[col + 24U * (row + 2U)] = three;
-            }
-        }
-    }
-}
-
-/**
- * Subtracts Yᵀ Y from the covariance, and adds Yᵀ L⁻¹ ν to the state.
- *
- * Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same order.
- *
- * `rows` by columns: [row + 3 * column].
- */
-static inline void symmetric_f64_24_lose_3(symmetric_f64_24_t *self, double state[24],
-    const double rows[72], const double scaled[3])
-{
-    for (uint32_t block = 0U; block < 8U; block++) {
-        const uint32_t row = 3U * block;
-        BESSEMER_UNROLL(8)
-        for (uint32_t m = 0U; m < 3U; m++) {
-            BESSEMER_UNROLL(3)
-            for (uint32_t k = 0U; k < 3U; k++) {
-                const uint32_t state_index = row + k;
-                state[row + k] += rows[m + 3U * state_index] * scaled[m];
-            }
-        }
-        for (uint32_t col = 0U; col < row + 3U; col++) {
-            double one = self->elements[row + 24U * col];
-            double two = self->elements[row + 1U + 24U * col];
-            double three = self->elements[row + 2U + 24U * col];
-            BESSEMER_UNROLL(8)
-            for (uint32_t m = 0U; m < 3U; m++) {
-                one -= rows[m + 3U * row] * rows[m + 3U * col];
-                two -= rows[m + 3U * (row + 1U)] * rows[m + 3U * col];
-                three -= rows[m + 3U * (row + 2U)] * rows[m + 3U * col];
-            }
-            self->elements[row + 24U * col] = one;
-            self->elements[row + 1U + 24U * col] = two;
-            self->elements[row + 2U + 24U * col] = three;
-            if (col < row) {
-                self->elements[col + 24U * row] = one;
-                self->elements[col + 24U * (row + 1U)] = two;
-                self->elements[col + 24U * (row + 2U)] = three;
-            }
-        }
-    }
-}
-
-/**
- * Subtracts Yᵀ Y from the covariance, and adds Yᵀ L⁻¹ ν to the state.
- *
- * Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same order.
- *
- * `rows` by columns: [row + 6 * column].
- */
-static inline void symmetric_f64_12_lose_6(symmetric_f64_12_t *self, double state[12],
-    const double rows[72], const double scaled[6])
-{
-    for (uint32_t block = 0U; block < 4U; block++) {
-        const uint32_t row = 3U * block;
-        BESSEMER_UNROLL(8)
-        for (uint32_t m = 0U; m < 6U; m++) {
-            BESSEMER_UNROLL(3)
-            for (uint32_t k = 0U; k < 3U; k++) {
-                const uint32_t state_index = row + k;
-                state[row + k] += rows[m + 6U * state_index] * scaled[m];
-            }
-        }
-        for (uint32_t col = 0U; col < row + 3U; col++) {
-            double one = self->elements[row + 12U * col];
-            double two = self->elements[row + 1U + 12U * col];
-            double three = self->elements[row + 2U + 12U * col];
-            BESSEMER_UNROLL(8)
-            for (uint32_t m = 0U; m < 6U; m++) {
-                one -= rows[m + 6U * row] * rows[m + 6U * col];
-                two -= rows[m + 6U * (row + 1U)] * rows[m + 6U * col];
-                three -= rows[m + 6U * (row + 2U)] * rows[m + 6U * col];
-            }
-            self->elements[row + 12U * col] = one;
-            self->elements[row + 1U + 12U * col] = two;
-            self->elements[row + 2U + 12U * col] = three;
-            if (col < row) {
-                self->elements[col + 12U * row] = one;
-                self->elements[col + 12U * (row + 1U)] = two;
-                self->elements[col + 12U * (row + 2U)] = three;
-            }
-        }
-    }
 }
 
 /** Whether the two are equal, part by part. */
@@ -1903,61 +1673,6 @@ static inline double matrix_extremes_lower_f64(double a, double b)
     }
 }
 
-/**
- * Subtracts Yᵀ Y from the covariance, and adds Yᵀ L⁻¹ ν to the state.
- *
- * Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same order.
- *
- * `rows` by columns: [row + 2 * column].
- */
-static inline void symmetric_f64_4_lose_2(symmetric_f64_4_t *self, double state[4],
-    const double rows[8], const double scaled[2])
-{
-    for (uint32_t row = 0U; row < 1U; row++) {
-        for (uint32_t m = 0U; m < 2U; m++) {
-            state[row] += rows[m + 2U * row] * scaled[m];
-        }
-        for (uint32_t col = 0U; col <= row; col++) {
-            double value = self->elements[row + 4U * col];
-            for (uint32_t m = 0U; m < 2U; m++) {
-                value -= rows[m + 2U * row] * rows[m + 2U * col];
-            }
-            self->elements[row + 4U * col] = value;
-            self->elements[col + 4U * row] = value;
-        }
-    }
-    for (uint32_t block = 0U; block < 1U; block++) {
-        const uint32_t row = 3U * block + 1U;
-        BESSEMER_UNROLL(8)
-        for (uint32_t m = 0U; m < 2U; m++) {
-            BESSEMER_UNROLL(3)
-            for (uint32_t k = 0U; k < 3U; k++) {
-                const uint32_t state_index = row + k;
-                state[row + k] += rows[m + 2U * state_index] * scaled[m];
-            }
-        }
-        for (uint32_t col = 0U; col < row + 3U; col++) {
-            double one = self->elements[row + 4U * col];
-            double two = self->elements[row + 1U + 4U * col];
-            double three = self->elements[row + 2U + 4U * col];
-            BESSEMER_UNROLL(8)
-            for (uint32_t m = 0U; m < 2U; m++) {
-                one -= rows[m + 2U * row] * rows[m + 2U * col];
-                two -= rows[m + 2U * (row + 1U)] * rows[m + 2U * col];
-                three -= rows[m + 2U * (row + 2U)] * rows[m + 2U * col];
-            }
-            self->elements[row + 4U * col] = one;
-            self->elements[row + 1U + 4U * col] = two;
-            self->elements[row + 2U + 4U * col] = three;
-            if (col < row) {
-                self->elements[col + 4U * row] = one;
-                self->elements[col + 4U * (row + 1U)] = two;
-                self->elements[col + 4U * (row + 2U)] = three;
-            }
-        }
-    }
-}
-
 /** The larger of two; the second if they are unordered. */
 static inline int32_t matrix_extremes_upper_i32(int32_t a, int32_t b)
 {
@@ -1998,75 +1713,6 @@ static inline bool attitudes_equal(const attitudes_t *one, const attitudes_t *ot
 {
     return unit_quaternion_f64_equal(&one->body, &other->body)
         && unit_quaternion_f64_equal(&one->camera, &other->camera);
-}
-
-/** The rounding error of the double nearest to 2^(`steps`/128), as a fraction of it. */
-static inline double exponential_step_rest(uint64_t steps)
-{
-    return f64_from_bits(POWERS_OF_TWO[steps & UINT64_C(0x7F)][0]);
-}
-
-/** 2^(`steps`/128) · e^`r` for |r| ≤ (ln 2)/256. */
-static inline void exponential_step_power(uint64_t steps, double r, power_t *power)
-{
-    const double z = r * r;
-    const double tail = EXPONENTIAL_E2 + r * EXPONENTIAL_E3
-        + z * (EXPONENTIAL_E4 + r * EXPONENTIAL_E5);
-    power->steps = steps;
-    power->rest = exponential_step_rest(steps) + r + z * tail;
-}
-
-/** e^x for x from −750 to 750, before its last rounding. */
-static inline void exponential_power(double x, power_t *power)
-{
-    const double shifted = x * POWERS_STEPS_PER_UNIT + SINE_TO_INTEGER;
-    const double steps = shifted - SINE_TO_INTEGER;
-    exponential_step_power(raw_bits_of_f64(shifted),
-        x - steps * POWERS_UNIT_STEP_HIGH - steps * POWERS_UNIT_STEP_LOW, power);
-}
-
-/** The double nearest to 2^(`steps`/128), where that is a normal number. */
-static inline double exponential_step(uint64_t steps)
-{
-    /* The upper half alone changes: one addition where a word has 32 bits. */
-    const uint64_t bits = POWERS_OF_TWO[steps & UINT64_C(0x7F)][1];
-    const uint32_t upper = (uint32_t)(bits >> 32) + ((uint32_t)steps << 13);
-    return f64_from_bits(((uint64_t)upper << 32) | (bits & UINT64_C(0xFFFFFFFF)));
-}
-
-/**
- * e^(`high` + `low`) for `high` from −750 to 750 and |`low`| up to 1/200, before its last rounding.
- */
-static inline void exponential_power_of_pair(double high, double low, power_t *power)
-{
-    const double shifted = high * POWERS_STEPS_PER_UNIT + SINE_TO_INTEGER;
-    const double steps = shifted - SINE_TO_INTEGER;
-    const double r = high - steps * POWERS_UNIT_STEP_HIGH - steps * POWERS_UNIT_STEP_LOW + low;
-
-    /* As for one double, a term longer. */
-    const double z = r * r;
-    const double tail = EXPONENTIAL_E2 + r * EXPONENTIAL_E3
-        + z * (EXPONENTIAL_E4 + r * EXPONENTIAL_E5 + z * EXPONENTIAL_E6);
-    const uint64_t steps_2 = raw_bits_of_f64(shifted);
-    power->steps = steps_2;
-    power->rest = exponential_step_rest(steps_2) + r + z * tail;
-}
-
-/** Returns true if the bits are those of a positive, normal and finite number. */
-static inline bool logarithm_is_plain(uint64_t bits)
-{
-    return (uint32_t)(bits >> 32) - 0x100000U < 0x7FE00000U;
-}
-
-/** The parts of a normal number, given its bits. */
-static inline void logarithm_parts(uint64_t bits, logarithm_parts_t *parts)
-{
-    /* Above 1 + 52.5/128 a significand is halved. */
-    const uint32_t above = (uint32_t)(bits >> 32) - 0x3FE69000U;
-    const int32_t exponent = shift_right_i32(wrap_i32(above), 20U);
-    parts->exponent = exponent;
-    parts->row = u64_from_u32((above >> 13) & 0x7FU);
-    parts->significand = f64_from_bits(bits - ((uint64_t)(uint32_t)exponent << 52));
 }
 
 /** Divides an angle in rad into a multiple of π/64 and a rest. */

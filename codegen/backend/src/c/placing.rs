@@ -80,7 +80,7 @@ impl Placing {
     /// A private function without callers is not `static`, since C compilers would warn. A method of a component is,
     /// since a remark reports it.
     pub fn private(&self, module: &Module) -> Vec<bool> {
-        let moved = self.moved(module);
+        let (moved, elsewhere) = (self.moved(module), self.elsewhere(module));
         let is_private = |function: &Function| function.role == Role::Private;
         let mut locally: Vec<bool> = module.functions.iter().map(is_private).collect();
         let mut called: Vec<bool> = (module.functions.iter())
@@ -92,9 +92,9 @@ impl Placing {
         for (caller, function) in module.functions.iter().enumerate() {
             function.body.each_expr(|expr| {
                 if let ExprKind::Call(callee, _) = &expr.kind {
-                    let moves = moved[caller];
+                    let leaves = moved[caller] || elsewhere[caller];
                     let together = self.functions[callee.index()] == self.functions[caller];
-                    locally[callee.index()] &= !moves && together;
+                    locally[callee.index()] &= !leaves && together;
                     called[callee.index()] = true;
                 }
             });
@@ -102,23 +102,19 @@ impl Placing {
         locally.into_iter().zip(called).map(|(locally, called)| locally && called).collect()
     }
 
-    /// Returns true for each inline function in the header that the sources share: those that other modules may call,
-    /// and their inline callees. The others are in their own file, whatever else is in the package.
+    /// Returns true for each inline function in the header that the sources share: the `pub` ones, and their inline
+    /// callees. The others are in each source that calls them.
     pub fn moved(&self, module: &Module) -> Vec<bool> {
-        let is_inline = |function: &Function| matches!(function.role, Role::Inline { .. });
         let is_public = |function: &Function| function.role == Role::Inline { public: true };
-        let mut moved: Vec<bool> = module.functions.iter().map(is_public).collect();
-        // Callees precede callers.
-        for caller in (0..moved.len()).rev() {
-            module.functions[caller].body.each_expr(|expr| {
-                let ExprKind::Call(callee, _) = &expr.kind else { return };
-                let elsewhere = self.functions[callee.index()] != self.functions[caller];
-                if is_inline(&module.functions[callee.index()]) && (moved[caller] || elsewhere) {
-                    moved[callee.index()] = true;
-                }
-            });
-        }
-        moved
+        with_callees(module, module.functions.iter().map(is_public).collect(), |_, _| false)
+    }
+
+    /// Returns true for each inline function that a source other than its own has.
+    fn elsewhere(&self, module: &Module) -> Vec<bool> {
+        let nothing = vec![false; module.functions.len()];
+        with_callees(module, nothing, |caller, callee| {
+            self.functions[caller] != self.functions[callee]
+        })
     }
 
     /// Returns the file of a struct; `components` has the number of components that request a name.
@@ -209,6 +205,25 @@ impl Placing {
             }
         }
     }
+}
+
+/// Extends a mark of functions to the inline callees of marked ones, and to those that `also` marks by caller and
+/// callee.
+fn with_callees(
+    module: &Module,
+    mut marked: Vec<bool>,
+    also: impl Fn(usize, usize) -> bool,
+) -> Vec<bool> {
+    // Callees precede callers.
+    for caller in (0..marked.len()).rev() {
+        module.functions[caller].body.each_expr(|expr| {
+            let ExprKind::Call(callee, _) = &expr.kind else { return };
+            let callee = callee.index();
+            let is_inline = matches!(module.functions[callee].role, Role::Inline { .. });
+            marked[callee] |= is_inline && (marked[caller] || also(caller, callee));
+        });
+    }
+    marked
 }
 
 /// Returns the headers that a header includes, directly or not.

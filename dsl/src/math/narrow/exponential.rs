@@ -14,7 +14,7 @@ use crate::prelude::*;
 /// 2^`steps` times a number whose result is normal; only the last nine bits of `steps` count.
 #[inline]
 #[function]
-pub fn scaled(x: f32, steps: u32) -> f32 {
+pub(crate) fn scaled(x: f32, steps: u32) -> f32 {
     f32::from_bits(x.raw_bits().wrapping_add(steps << 23))
 }
 
@@ -44,7 +44,7 @@ pub struct StepsF32 {
 /// Splits an exponent from −120 to 120 into a multiple of ln 2 and a remainder.
 #[inline]
 #[function]
-pub fn steps_of(x: f32) -> StepsF32 {
+pub(crate) fn steps_of(x: f32) -> StepsF32 {
     let shifted = x * LOG2_E + TO_INTEGER;
     let steps = shifted - TO_INTEGER;
     StepsF32 {
@@ -57,7 +57,7 @@ pub fn steps_of(x: f32) -> StepsF32 {
 /// e^(`high` − `low`) minus 1 + `high`.
 #[inline]
 #[function]
-pub fn beyond(exponent: StepsF32) -> f32 {
+pub(crate) fn beyond(exponent: StepsF32) -> f32 {
     let r = exponent.high - exponent.low;
     let upper = NARROW_EXPONENTIAL[2]
         + r * (NARROW_EXPONENTIAL[3] + r * (NARROW_EXPONENTIAL[4] + r * NARROW_EXPONENTIAL[5]));
@@ -88,7 +88,7 @@ pub struct ExponentF32 {
 /// power of two.
 #[inline]
 #[function]
-pub fn step_power(steps: u32, beyond: f32) -> f32 {
+pub(crate) fn step_power(steps: u32, beyond: f32) -> f32 {
     let row = (steps & 127) as usize;
     let base = f32::from_bits(NARROW_OF_TWO[row][1].wrapping_add(steps << 16));
     base + base * (f32::from_bits(NARROW_OF_TWO[row][0]) + beyond)
@@ -161,7 +161,7 @@ const BINARY_SECOND: f32 = LN_2 * LN_2 / 2.0;
 /// 2^r − 1 for r from −1/256 to 1/256.
 #[inline]
 #[function]
-pub fn binary_beyond(r: f32) -> f32 {
+pub(crate) fn binary_beyond(r: f32) -> f32 {
     r * (BINARY_FIRST + BINARY_SECOND * r)
 }
 

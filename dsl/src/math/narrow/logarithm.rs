@@ -72,7 +72,7 @@ fn natural_pair(f: f32) -> PairF32 {
 /// Returns true if a number is positive, normal and finite.
 #[inline]
 #[function]
-pub fn is_plain(x: f32) -> bool {
+pub(crate) fn is_plain(x: f32) -> bool {
     x.raw_bits().wrapping_sub(0x0080_0000) < 0x7f00_0000
 }
 
@@ -92,7 +92,7 @@ fn limit(x: f32) -> f32 {
 /// Returns true if a number is positive and subnormal.
 #[inline]
 #[function]
-pub fn is_subnormal(x: f32) -> bool {
+pub(crate) fn is_subnormal(x: f32) -> bool {
     x > 0.0 && x < f32::MIN_POSITIVE
 }
 

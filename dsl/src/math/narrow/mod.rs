@@ -33,7 +33,7 @@ pub const TO_INTEGER: f32 = 12_582_912.0;
 /// The leading 12 bits of a number: the product of two such is exact.
 #[inline]
 #[function]
-pub fn leading(x: f32) -> f32 {
+pub(crate) fn leading(x: f32) -> f32 {
     f32::from_bits(x.raw_bits() & 0xffff_f000)
 }
 
@@ -50,7 +50,7 @@ pub struct PairF32 {
 /// The sum and its rounding error, if |`a`| ≥ |`b`| or the sum is exact (T. J. Dekker).
 #[inline]
 #[function]
-pub fn ordered_sum(a: f32, b: f32) -> PairF32 {
+pub(crate) fn ordered_sum(a: f32, b: f32) -> PairF32 {
     let high = a + b;
     PairF32 { high, low: b - (high - a) }
 }
@@ -62,10 +62,36 @@ pub fn ordered_sum(a: f32, b: f32) -> PairF32 {
 /// that.
 #[inline]
 #[function]
-pub fn exact_mul_addf(x: f32, a: f32, b: f32) -> f32 {
+pub(crate) fn exact_mul_addf(x: f32, a: f32, b: f32) -> f32 {
     let x_upper = leading(x);
     let x_lower = x - x_upper;
     let a_upper = leading(a);
     let a_lower = a - a_upper;
     ((x_upper * a_upper + b) + x_upper * a_lower + x_lower * a_upper) + x_lower * a_lower
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    /// A processor's fused instruction and halves of the factors agree wherever the functions use them.
+    #[test]
+    fn exact_products_are_those_of_a_fused_instruction() {
+        let turn = std::env::var("BESSEMER_TURN").ok().and_then(|it| it.parse().ok());
+        let (stride, first) = match std::env::var_os("BESSEMER_FULL") {
+            Some(_) => (1, 0),
+            None => (4093, turn.unwrap_or(0_u32).wrapping_mul(1009) % 4093),
+        };
+        let mut factor = 0x3f80_0000_u32 ^ first;
+        for bits in (0x2000_0000 + first..0x5f00_0000).step_by(stride) {
+            factor = factor.wrapping_mul(0x0019_660d).wrapping_add(0x3c6e_f35f);
+            let x = f32::from_bits(bits);
+            // 2⁻¹⁶ to 2¹⁵, of either sign.
+            let a = f32::from_bits((factor & 0x8fff_ffff | 0x3000_0000) + 0x0780_0000);
+            let product = x * a;
+            let halves = super::exact_mul_addf(x, a, -product);
+            let fused = x.mul_add(a, -product);
+            assert_eq!(halves.to_bits(), fused.to_bits(), "{x:e} {a:e}");
+        }
+    }
 }

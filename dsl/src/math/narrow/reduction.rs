@@ -61,7 +61,7 @@ pub fn reduced_far(x: f32) -> ReducedF32 {
 /// Subtracts whole quarter turns from `x`, rad; −0 becomes 0.
 #[inline]
 #[function]
-pub fn reduced_angle(x: f32) -> ReducedF32 {
+pub(crate) fn reduced_angle(x: f32) -> ReducedF32 {
     if x.abs() <= FEW_TURNS { reduced_moderate(x) } else { reduced_far(x) }
 }
 
@@ -84,7 +84,7 @@ const STEPS_PER_RADIAN: f32 = 64.0 * FRAC_1_PI;
 /// Subtracts 64ths of half a turn from `x`, rad, for |x| up to 100.
 #[inline]
 #[function]
-pub fn stepped(x: f32) -> SteppedF32 {
+pub(crate) fn stepped(x: f32) -> SteppedF32 {
     let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
     let steps = shifted - TO_INTEGER;
     // The first product loses nothing, and the second nothing where the sine is next to 0, or else at most 2⁻³¹.
@@ -110,7 +110,7 @@ pub fn stepped_far(x: f32) -> SteppedF32 {
 /// The upper 32 bits of a product.
 #[inline]
 #[function]
-pub fn upper_product(a: u32, b: u32) -> u32 {
+pub(crate) fn upper_product(a: u32, b: u32) -> u32 {
     let a_high = a >> 16;
     let a_low = a & 0xffff;
     let b_high = b >> 16;

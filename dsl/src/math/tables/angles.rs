@@ -16,25 +16,25 @@ pub(crate) const QUARTER_TURN_3: f64 = 2.0222662487111665e-21;
 pub(crate) const QUARTER_TURN_4: f64 = 8.4784276603689e-32;
 /// 64/π.
 #[crate::data]
-pub const STEPS_PER_RADIAN: f64 = 20.371832715762604;
+pub(crate) const STEPS_PER_RADIAN: f64 = 20.371832715762604;
 /// The leading 33 bits of π/64: a multiple of it by up to 2²⁰ is exact.
 #[crate::data]
-pub const STEP_HIGH: f64 = 0.049087385210441425;
+pub(crate) const STEP_HIGH: f64 = 0.049087385210441425;
 /// The rest of π/64.
 #[crate::data]
-pub const STEP_LOW: f64 = 1.899093908283185e-12;
+pub(crate) const STEP_LOW: f64 = 1.899093908283185e-12;
 /// π/2, to a double.
 #[crate::data]
-pub const HALF_PI_HIGH: f64 = 1.5707963267948966;
+pub(crate) const HALF_PI_HIGH: f64 = 1.5707963267948966;
 /// π/2, minus its high part.
 #[crate::data]
-pub const HALF_PI_LOW: f64 = 6.123233995736766e-17;
+pub(crate) const HALF_PI_LOW: f64 = 6.123233995736766e-17;
 /// π, to a double.
 #[crate::data]
-pub const WHOLE_PI_HIGH: f64 = 3.141592653589793;
+pub(crate) const WHOLE_PI_HIGH: f64 = 3.141592653589793;
 /// π, minus its high part.
 #[crate::data]
-pub const WHOLE_PI_LOW: f64 = 1.2246467991473532e-16;
+pub(crate) const WHOLE_PI_LOW: f64 = 1.2246467991473532e-16;
 /// The bits of 2/π after 64 zeros, most significant first.
 #[crate::data]
 pub(crate) const TWO_OVER_PI: [u64; 36] = [

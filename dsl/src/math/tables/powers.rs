@@ -4,13 +4,13 @@
 
 /// 128/ln 2.
 #[crate::data]
-pub const STEPS_PER_UNIT: f64 = 184.6649652337873;
+pub(crate) const STEPS_PER_UNIT: f64 = 184.6649652337873;
 /// The leading 36 bits of (ln 2)/128: a multiple by up to 138 499 is exact, in units of 2⁻⁴³ and below 1024.
 #[crate::data]
-pub const UNIT_STEP_HIGH: f64 = 0.005415212348111709;
+pub(crate) const UNIT_STEP_HIGH: f64 = 0.005415212348111709;
 /// The rest of (ln 2)/128.
 #[crate::data]
-pub const UNIT_STEP_LOW: f64 = 1.2864023111638346e-14;
+pub(crate) const UNIT_STEP_LOW: f64 = 1.2864023111638346e-14;
 /// For 2^(k/128) as a double, its rounding error as a fraction of it, and its bits minus k·2⁴⁵.
 #[crate::data]
 pub const OF_TWO: [[u64; 2]; 128] = [

@@ -141,6 +141,8 @@ impl Lower<'_> {
             Storage::Library => {
                 self.uses.system.insert("math.h");
             }
+            // The file defines it.
+            Storage::Static | Storage::OwnInline => {}
             _ => {
                 self.uses.headers.insert(signature.header.clone());
             }
