@@ -9,6 +9,7 @@ mod blocks;
 mod book;
 mod cookbook;
 mod coverage;
+mod estimators;
 mod eva;
 mod guards;
 mod kinds;

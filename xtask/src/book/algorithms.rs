@@ -13,7 +13,7 @@ pub const PROGRAMS: &str = "tests/corpus/src/programs/algorithms";
 
 /// Programs and the titles of their pages.
 pub const TITLES: &[(&str, &str)] = &[
-    ("active_set", "MPC: a bounded quadratic programme by an active set"),
+    ("active_set", "Bounded quadratic programme by an active set"),
     ("alpha_beta", "Alpha-beta filter: position and speed"),
     ("attitude_filter", "EKF of attitude and gyro bias"),
     ("base64", "Base64 encoding"),
