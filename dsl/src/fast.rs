@@ -102,7 +102,7 @@ pub fn atan2(y: f32, x: f32) -> f32 {
     let is_steep = height > width;
     let low = if is_steep { width } else { height };
     let high = if is_steep { height } else { width };
-    // Of two zeros the ratio is 0.
+    // The smallest normal number makes the ratio of two zeros 0; it changes no other one within the stated range.
     let ratio = low / (high + f32::MIN_POSITIVE);
     let z = ratio * ratio;
     let upper = ARCTANGENT_OF_RATIO[4] + z * (ARCTANGENT_OF_RATIO[5] + z * ARCTANGENT_OF_RATIO[6]);

@@ -180,7 +180,7 @@ fn run(
             command.arg("-I").arg(include);
         }
         execute(command.arg("-c").arg(source).arg("-o").arg(&object))?;
-        // What the contender's own few lines keep for it counts as well, without the tables of the problem.
+        // The data of the contender's own program counts as well, without the tables of the problem.
         let [code, data] = sizes(&object)?;
         text += if index < counted.len() { code } else { 0 };
         ram += if index <= counted.len() + 1 { data } else { 0 };

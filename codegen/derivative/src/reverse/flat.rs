@@ -242,13 +242,13 @@ pub fn unknown_length(span: bessemer_ir::Span) -> Problem {
 /// Locals that statements declare, write and read.
 #[derive(Default)]
 pub struct Assigned {
-    /// Those that they declare.
+    /// Locals that the statements declare.
     pub declared: BTreeSet<LocalId>,
-    /// Those that they write.
+    /// Locals that the statements write.
     pub written: BTreeSet<LocalId>,
-    /// Those that they read.
+    /// Locals that the statements read.
     pub read: BTreeSet<LocalId>,
-    /// Those that they read in part.
+    /// Locals of which the statements read a part.
     pub parts: BTreeSet<LocalId>,
 }
 

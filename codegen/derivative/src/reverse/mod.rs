@@ -399,7 +399,7 @@ impl Run<'_> {
         };
         let mut assigned = Assigned::default();
         assigned.block(body);
-        // What the passes assign to each other, with a bar; found by passes on trial.
+        // The words with a bar that one pass hands to the next. Passes on trial find them.
         let mut carried: BTreeSet<Key> =
             bars.keys().filter(|key| assigned.written.contains(&key.0)).copied().collect();
         if carried.is_empty() {

@@ -197,7 +197,7 @@ impl VisitMut for Moved<'_> {
             other if place.steps.is_empty() => expr.kind = other.clone(),
             _ => return,
         }
-        // What it reads may be kept, too.
+        // The expression put in may read kept locals, too.
         self.expr(expr);
     }
 
