@@ -229,10 +229,10 @@ fn difference(block: &Block) -> TokenStream {
             }
         },
         Form::Rotation => {
-            let turn = format_ident!("{name}_turn");
+            let (change, turn) = (format_ident!("{name}_change"), format_ident!("{name}_turn"));
             quote! {
-                let #name = from.#name.inverse() * self.#name;
-                let #turn = ::bessemer::rotation::scaled_axis(&#name);
+                let #change = from.#name.inverse() * self.#name;
+                let #turn = ::bessemer::rotation::scaled_axis(&#change);
                 for n in 0..#size {
                     errors[Self::#first + n] = #turn[n];
                 }

@@ -49,12 +49,12 @@ static const uint64_t SEGMENTS = UINT64_C(3);
 void states_motion_difference(const states_motion_t *self, const states_motion_t *from,
     double errors[BESSEMER_RESTRICT 7])
 {
-    unit_quaternion_f64_t attitude_first;
-    unit_quaternion_inverse_f64(&from->attitude, &attitude_first);
-    unit_quaternion_f64_t attitude;
-    unit_quaternion_product_f64(&attitude_first, &self->attitude, &attitude);
+    unit_quaternion_f64_t attitude_change_first;
+    unit_quaternion_inverse_f64(&from->attitude, &attitude_change_first);
+    unit_quaternion_f64_t attitude_change;
+    unit_quaternion_product_f64(&attitude_change_first, &self->attitude, &attitude_change);
     double attitude_turn[3];
-    rotation_scaled_axis_f64(&attitude, attitude_turn);
+    rotation_scaled_axis_f64(&attitude_change, attitude_turn);
     for (uint32_t n = 0U; n < 3U; n++) {
         errors[MOTION_ATTITUDE + n] = attitude_turn[n];
     }
