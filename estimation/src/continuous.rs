@@ -9,8 +9,8 @@ const TERMS: usize = 14;
 
 /// Returns the transition e^(A t) over a period t, and the process noise ∫ e^(A s) Q e^(Aᵀ s) ds that Q adds meanwhile.
 ///
-/// The period is halved `halvings` times until |A| t is below 0.5; a series of fourteen terms is then exact to the rounding. Each
-/// doubling squares the transition, and adds the noise of the first half, carried through the second.
+/// The period is halved `halvings` times until |A| t is below 0.5; a series of fourteen terms is then exact to the
+/// rounding. Each doubling squares the transition, and adds the noise of the first half, carried through the second.
 #[function]
 pub fn discretized<const N: usize>(
     system: &SMatrix<f64, N, N>,
@@ -45,8 +45,8 @@ pub fn discretized<const N: usize>(
     (transition, total)
 }
 
-/// Returns e^A. A is halved `halvings` times until its norm is below 0.5; a series of fourteen terms is then exact to the rounding, and each
-/// doubling squares it.
+/// Returns e^A. A is halved `halvings` times until its norm is below 0.5; a series of fourteen terms is then exact to
+/// the rounding, and each doubling squares it.
 #[function]
 pub fn exponential<T: Real, const N: usize>(
     matrix: &SMatrix<T, N, N>,
@@ -68,7 +68,8 @@ pub fn exponential<T: Real, const N: usize>(
     sum
 }
 
-/// Returns the state after a period, by one step of the classical Runge-Kutta method of fourth order; `law` gives its rate.
+/// Returns the state after a period, by one step of the classical Runge-Kutta method of fourth order; `law` gives its
+/// rate.
 #[function]
 pub fn runge_kutta<T: Real, const N: usize>(
     state: &SVector<T, N>,
@@ -83,8 +84,9 @@ pub fn runge_kutta<T: Real, const N: usize>(
     state + (one + (two + three) * real::<T>(2.0) + four) * (period / real(6.0))
 }
 
-/// Returns the state of [`runge_kutta`] and its Jacobian by the state before; `law` gives the rate and the rate's Jacobian. The Jacobian belongs
-/// to the step, not to the continuous flow: a covariance follows what the filter computes.
+/// Returns the state of [`runge_kutta`] and its Jacobian by the state before; `law` gives the rate and the rate's
+/// Jacobian. The Jacobian belongs to the step, not to the continuous flow: a covariance follows what the filter
+/// computes.
 #[function]
 pub fn runge_kutta_jacobian<T: Real, const N: usize>(
     state: &SVector<T, N>,

@@ -2,15 +2,17 @@
 //!
 //! An author's package depends on this crate beside `bessemer`; only called functions become C.
 //!
-//! * [`Symmetric`]: a covariance, symmetric to the last bit after each operation; [`Symmetric::congruence`] predicts it.
-//! * [`Symmetric::correct`], [`Symmetric::correct_selected`], [`Symmetric::correct_part`] and [`Symmetric::correct_jointly`]: corrections with a gate, which report a covariance that
-//!   would not stay positive.
+//! * [`Symmetric`]: a covariance, symmetric to the last bit after each operation; [`Symmetric::congruence`] predicts
+//!   it.
+//! * [`Symmetric::correct`], [`Symmetric::correct_selected`], [`Symmetric::correct_part`] and
+//!   [`Symmetric::correct_jointly`]: corrections with a gate, which report a covariance that would not stay positive.
 //! * [`Factored`], [`Rooted`]: the same covariance as U D Uᵀ or L Lᵀ, which cannot lose its sign.
-//! * [`unscented`]: a distribution behind a function, without its derivative; [`Symmetric::correct_unscented`] and [`Rooted`] filter by it.
+//! * [`unscented`]: a distribution behind a function, without its derivative; [`Symmetric::correct_unscented`] and
+//!   [`Rooted`] filter by it.
 //! * [`smoothed`]: a recorded filter, corrected by what came after.
 //! * [`Diagonal`], [`Selection`], [`UpperTriangular`]: structured matrices whose products skip the zeros.
-//! * [`exponential`], [`discretized`]: transition and process noise of a continuous model over a period; [`runge_kutta`] and
-//!   [`runge_kutta_jacobian`] step a nonlinear one.
+//! * [`exponential`], [`discretized`]: transition and process noise of a continuous model over a period;
+//!   [`runge_kutta`] and [`runge_kutta_jacobian`] step a nonlinear one.
 //!
 //! Invariant: a covariance that an operation refuses stays as it was.
 //!

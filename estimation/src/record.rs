@@ -1,5 +1,5 @@
-//! The smoother of Rauch, Tung and Striebel (Maximum Likelihood Estimates of Linear Dynamic Systems, 1965): a recorded filter, corrected by
-//! what came after.
+//! The smoother of Rauch, Tung and Striebel (Maximum Likelihood Estimates of Linear Dynamic Systems, 1965): a recorded
+//! filter, corrected by what came after.
 
 use bessemer::prelude::*;
 
@@ -17,10 +17,11 @@ pub struct Estimate<T: Real, const N: usize> {
 
 /// Returns the smoothed estimate of a step; none unless the predicted covariance is positive definite.
 ///
-/// `filtered` is the estimate after the step's corrections, `predicted` the one that the Jacobian F leads to for the next step, and `next` the next
-/// step's smoothed estimate.
+/// `filtered` is the estimate after the step's corrections, `predicted` the one that the Jacobian F leads to for the
+/// next step, and `next` the next step's smoothed estimate.
 ///
-/// From the last step, whose filtered estimate is smoothed, backwards: x + G (x⁺ − x⁻) and P + G (P⁺ − P⁻) Gᵀ with G = P Fᵀ (P⁻)⁻¹.
+/// From the last step, whose filtered estimate is smoothed, backwards: x + G (x⁺ − x⁻) and P + G (P⁺ − P⁻) Gᵀ with G =
+/// P Fᵀ (P⁻)⁻¹.
 #[function]
 pub fn smoothed<T: Real, const N: usize>(
     filtered: &Estimate<T, N>,
@@ -28,27 +29,9 @@ pub fn smoothed<T: Real, const N: usize>(
     predicted: &Estimate<T, N>,
     next: &Estimate<T, N>,
 ) -> Option<Estimate<T, N>> {
-    let factor = predicted.covariance.root()?;
-    // Gᵀ = (P⁻)⁻¹ F P, by both triangles.
-    let mut gain = jacobian * filtered.covariance.matrix();
-    for col in 0..N {
-        for row in 0..N {
-            let mut sum = gain[(row, col)];
-            for k in 0..row {
-                sum -= factor[(row, k)] * gain[(k, col)];
-            }
-            gain[(row, col)] = sum / factor[(row, row)];
-        }
-        for above in 0..N {
-            let row = N - 1 - above;
-            let mut sum = gain[(row, col)];
-            for k in row + 1..N {
-                sum -= factor[(k, row)] * gain[(k, col)];
-            }
-            gain[(row, col)] = sum / factor[(row, row)];
-        }
-    }
-    let gain = gain.transpose();
+    // Gᵀ = (P⁻)⁻¹ F P.
+    let factor = predicted.covariance.elements.cholesky()?;
+    let gain = factor.solve(&(jacobian * filtered.covariance.matrix())).transpose();
     let state = filtered.state + gain * (next.state - predicted.state);
     let mut change = next.covariance;
     for row in 0..N {

@@ -1,6 +1,7 @@
 //! A covariance by its square root, P = L Lᵀ with a lower triangle L: twice the digits, and no negative variance.
 //!
-//! Sources: Van der Merwe and Wan, The Square-Root Unscented Kalman Filter, 2001; Gill et al., Methods for Modifying Matrix Factorizations, 1974.
+//! Sources: Van der Merwe and Wan, The Square-Root Unscented Kalman Filter, 2001; Gill et al., Methods for Modifying
+//! Matrix Factorizations, 1974.
 
 use bessemer::prelude::*;
 
@@ -144,8 +145,9 @@ impl<T: Real, const N: usize> Rooted<T, N> {
         Correction { surprise, status: Status::Corrected }
     }
 
-    /// Moves a state and this covariance by a step without a derivative, with the points of [`unscented`](crate::unscented) and independent noise of
-    /// these standard deviations. Returns false, and changes nothing, if `spread` is less than N.
+    /// Moves a state and this covariance by a step without a derivative, with the points of
+    /// [`unscented`](crate::unscented) and independent noise of these standard deviations. Returns false, and changes
+    /// nothing, if `spread` is less than N.
     pub fn predict_unscented(
         &mut self,
         state: &mut SVector<T, N>,
@@ -184,8 +186,8 @@ impl<T: Real, const N: usize> Rooted<T, N> {
         true
     }
 
-    /// Corrects a state by one number that `law` expects, with the points of [`unscented`](crate::unscented). Several independent numbers
-    /// are corrected one by one.
+    /// Corrects a state by one number that `law` expects, with the points of [`unscented`](crate::unscented). Several
+    /// independent numbers are corrected one by one.
     pub fn correct_unscented(
         &mut self,
         state: &mut SVector<T, N>,

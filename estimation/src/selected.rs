@@ -6,10 +6,11 @@ use crate::{Correction, Selection, Status, Symmetric};
 
 #[data]
 impl<T: Real, const N: usize> Symmetric<T, N> {
-    /// Corrects by `M` numbers, at most eight, that depend on the selected elements of the state alone: `jacobian` has their derivatives. Their
-    /// errors are independent and have these variances.
+    /// Corrects by `M` numbers, at most eight, that depend on the selected elements of the state alone: `jacobian` has
+    /// their derivatives. Their errors are independent and have these variances.
     ///
-    /// An index of N or more selects the last element. With S = H P Hᵀ + R = L Lᵀ and Y = L⁻¹ H P, P loses Yᵀ Y and the state gains Yᵀ L⁻¹ ν.
+    /// An index of N or more selects the last element. With S = H P Hᵀ + R = L Lᵀ and Y = L⁻¹ H P, P loses Yᵀ Y and the
+    /// state gains Yᵀ L⁻¹ ν.
     pub fn correct_selected<const K: usize, const M: usize>(
         &mut self,
         state: &mut SVector<T, N>,
@@ -119,7 +120,8 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
 
     /// Subtracts Yᵀ Y from the covariance, and adds Yᵀ L⁻¹ ν to the state.
     ///
-    /// Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same order.
+    /// Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same
+    /// order.
     #[inline]
     pub(crate) fn lose<const M: usize>(
         &mut self,

@@ -135,17 +135,6 @@ impl<T: Real, const N: usize> UpperTriangular<T, N> {
 
     /// Returns the solution x of U x = b; none if an element of the diagonal is zero.
     pub fn solve(&self, right: &SVector<T, N>) -> Option<SVector<T, N>> {
-        let mut solution = *right;
-        for above in 0..N {
-            let col = N - 1 - above;
-            if self.elements[(col, col)] == T::ZERO {
-                return None;
-            }
-            solution[col] /= self.elements[(col, col)];
-            for row in 0..col {
-                solution[row] = solution[row] - self.elements[(row, col)] * solution[col];
-            }
-        }
-        Some(solution)
+        self.elements.solve_upper_triangular(right)
     }
 }

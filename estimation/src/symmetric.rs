@@ -130,8 +130,9 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
         plausible
     }
 
-    /// Corrects by one number: the `row` of the measurement's Jacobian, its `innovation` (measured less expected) and its
-    /// variance. The state gains the gain times the innovation. A measurement with a surprise above `gate` is rejected.
+    /// Corrects by one number: the `row` of the measurement's Jacobian, its `innovation` (measured less expected) and
+    /// its variance. The state gains the gain times the innovation. A measurement with a surprise above `gate` is
+    /// rejected.
     pub fn correct(
         &mut self,
         state: &mut SVector<T, N>,
@@ -148,8 +149,8 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
         self.corrected(state, &spread, expected, innovation, gate)
     }
 
-    /// Corrects by a measurement of one element of the state, as [`Symmetric::correct`] does. An index beyond the state is
-    /// `Lost`.
+    /// Corrects by a measurement of one element of the state, as [`Symmetric::correct`] does. An index beyond the state
+    /// is `Lost`.
     pub fn correct_element(
         &mut self,
         state: &mut SVector<T, N>,
@@ -204,8 +205,9 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
         Correction { surprise, status: Status::Corrected }
     }
 
-    /// Corrects by `M` elements of the state from `FIRST` on, at most eight, whose errors are independent and have these
-    /// variances. In the C it needs a state of three numbers or more. With H P Hᵀ + R = L Lᵀ and Y = L⁻¹ H P, P loses Yᵀ Y and the state gains Yᵀ L⁻¹ ν.
+    /// Corrects by `M` elements of the state from `FIRST` on, at most eight, whose errors are independent and have
+    /// these variances. In the C it needs a state of three numbers or more. With H P Hᵀ + R = L Lᵀ and Y = L⁻¹ H P, P
+    /// loses Yᵀ Y and the state gains Yᵀ L⁻¹ ν.
     pub fn correct_part<const FIRST: usize, const M: usize>(
         &mut self,
         state: &mut SVector<T, N>,
@@ -279,7 +281,7 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
         noise: &Symmetric<T, M>,
         gate: T,
     ) -> Correction<T> {
-        // H P; its rows become those of Y.
+        // H P, by columns.
         let mut rows = SMatrix::<T, N, M>::zeros();
         for m in 0..M {
             for k in 0..N {
@@ -291,19 +293,36 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
                 }
             }
         }
-        // The factor L of S, by rows, in its lower triangle; `scaled` becomes L⁻¹ ν.
-        let mut factor = SMatrix::<T, M, M>::zeros();
-        let mut scaled = *innovation;
-        let mut surprise = T::ZERO;
+        // S, in its lower triangle.
+        let mut spread = SMatrix::<T, M, M>::zeros();
         for m in 0..M {
             for before in 0..=m {
                 let mut sum = noise.elements[(m, before)];
                 for n in 0..N {
                     sum += jacobian[(before, n)] * rows[(n, m)];
                 }
-                factor[(m, before)] = sum;
+                spread[(m, before)] = sum;
             }
         }
+        self.correct_by(state, &rows, &spread, innovation, gate)
+    }
+
+    /// Corrects by numbers whose expected values have the covariance S, in the lower triangle of `spread`, and the
+    /// covariance `cross` with the state, by columns. With S = L Lᵀ and Y = L⁻¹ `cross`ᵀ, P loses Yᵀ Y and the state
+    /// gains Yᵀ L⁻¹ ν.
+    pub(crate) fn correct_by<const M: usize>(
+        &mut self,
+        state: &mut SVector<T, N>,
+        cross: &SMatrix<T, N, M>,
+        spread: &SMatrix<T, M, M>,
+        innovation: &SVector<T, M>,
+        gate: T,
+    ) -> Correction<T> {
+        // L takes the place of S, Y of `cross`, and L⁻¹ ν of ν.
+        let mut factor = *spread;
+        let mut rows = *cross;
+        let mut scaled = *innovation;
+        let mut surprise = T::ZERO;
         for m in 0..M {
             for before in 0..m {
                 let mut sum = factor[(m, before)];

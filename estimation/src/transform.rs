@@ -1,13 +1,13 @@
 //! The unscented transform: mean and covariance behind a function, without its derivative (Julier and Uhlmann,
 //! Unscented Filtering and Nonlinear Estimation, 2004).
 //!
-//! The function is evaluated at the mean and at 2 N points around it: the mean plus and minus each column of √s L, with P = L Lᵀ and the `spread` s.
-//! The mean has the weight 1 − N/s, each other point 1/(2 s). From s = N on no weight is negative, so no covariance is. A spread of 3 has the fourth
-//! moments of a normal distribution along each axis.
+//! The function is evaluated at the mean and at 2 N points around it: the mean plus and minus each column of √s L, with
+//! P = L Lᵀ and the `spread` s. The mean has the weight 1 − N/s, each other point 1/(2 s). From s = N on no weight is
+//! negative, so no covariance is. A spread of 3 has the fourth moments of a normal distribution along each axis.
 
 use bessemer::prelude::*;
 
-use crate::{Correction, Status, Symmetric};
+use crate::{Correction, Symmetric};
 
 /// A distribution behind a function of N numbers with M results.
 #[data]
@@ -21,7 +21,8 @@ pub struct Transformed<T: Real, const N: usize, const M: usize> {
     pub cross: SMatrix<T, N, M>,
 }
 
-/// Returns the distribution of `law` of numbers with this mean and covariance; none unless the covariance is positive definite and the spread positive.
+/// Returns the distribution of `law` of numbers with this mean and covariance; none unless the covariance is positive
+/// definite and the spread positive.
 #[function]
 pub fn unscented<T: Real, const N: usize, const M: usize>(
     mean: &SVector<T, N>,
@@ -37,7 +38,8 @@ pub fn unscented<T: Real, const N: usize, const M: usize>(
     let weight = T::ONE / (spread + spread);
     let center = law(mean);
 
-    // Half the sum and half the difference of the results at the two points of each column, the sum less that at the mean.
+    // Half the sum and half the difference of the results at the two points of each column, the sum less that at the
+    // mean.
     let mut even = SMatrix::<T, M, N>::zeros();
     let mut odd = SMatrix::<T, M, N>::zeros();
     let mut offset = SVector::<T, M>::zeros();
@@ -82,28 +84,16 @@ pub fn unscented<T: Real, const N: usize, const M: usize>(
 impl<T: Real, const N: usize> Symmetric<T, N> {
     /// Returns the lower triangle L with positive diagonal, of which P is L Lᵀ; none unless P is positive definite.
     pub fn root(&self) -> Option<SMatrix<T, N, N>> {
-        let mut factor = SMatrix::<T, N, N>::zeros();
-        for col in 0..N {
-            for row in col..N {
-                let mut sum = self.elements[(row, col)];
-                for k in 0..col {
-                    sum -= factor[(row, k)] * factor[(col, k)];
-                }
-                if row == col {
-                    if !(sum > T::ZERO && sum.is_finite()) {
-                        return None;
-                    }
-                    factor[(col, col)] = sum.sqrt();
-                } else {
-                    factor[(row, col)] = sum / factor[(col, col)];
-                }
-            }
+        if !self.is_plausible() {
+            return None;
         }
-        Some(factor)
+        let factor = self.elements.cholesky()?;
+        Some(factor.l())
     }
 
-    /// Corrects by a measurement whose distribution is `expected`, from [`unscented`], with errors of the covariance `noise`. The state gains
-    /// K ν and P loses K S Kᵀ, with S = `expected.covariance` + `noise` = L Lᵀ and K = `expected.cross` S⁻¹.
+    /// Corrects by a measurement whose distribution is `expected`, from [`unscented`], with errors of the covariance
+    /// `noise`. The state gains K ν and P loses K S Kᵀ, with S = `expected.covariance` + `noise` = L Lᵀ and K =
+    /// `expected.cross` S⁻¹.
     pub fn correct_unscented<const M: usize>(
         &mut self,
         state: &mut SVector<T, N>,
@@ -114,51 +104,7 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
     ) -> Correction<T> {
         let mut total = expected.covariance;
         total.add(noise);
-        let Some(factor) = total.root() else {
-            return Correction { surprise: T::ZERO, status: Status::Lost };
-        };
-        // Y = `cross` L⁻ᵀ by columns, and L⁻¹ ν.
-        let mut scaled = measured - expected.mean;
-        let mut rows = expected.cross;
-        let mut surprise = T::ZERO;
-        for m in 0..M {
-            for k in 0..m {
-                scaled[m] = scaled[m] - factor[(m, k)] * scaled[k];
-                for n in 0..N {
-                    rows[(n, m)] = rows[(n, m)] - factor[(m, k)] * rows[(n, k)];
-                }
-            }
-            scaled[m] /= factor[(m, m)];
-            surprise += scaled[m] * scaled[m];
-            for n in 0..N {
-                rows[(n, m)] /= factor[(m, m)];
-            }
-        }
-        if !(surprise <= gate) {
-            return Correction { surprise, status: Status::Rejected };
-        }
-        for n in 0..N {
-            let mut variance = self.elements[(n, n)];
-            for m in 0..M {
-                variance -= rows[(n, m)] * rows[(n, m)];
-            }
-            if !(variance > T::ZERO) {
-                return Correction { surprise, status: Status::Lost };
-            }
-        }
-        for row in 0..N {
-            for m in 0..M {
-                state[row] += rows[(row, m)] * scaled[m];
-            }
-            for col in 0..=row {
-                let mut value = self.elements[(row, col)];
-                for m in 0..M {
-                    value -= rows[(row, m)] * rows[(col, m)];
-                }
-                self.elements[(row, col)] = value;
-                self.elements[(col, row)] = value;
-            }
-        }
-        Correction { surprise, status: Status::Corrected }
+        let innovation = measured - expected.mean;
+        self.correct_by(state, &expected.cross, &total.elements, &innovation, gate)
     }
 }

@@ -1796,7 +1796,9 @@ static inline float fast_atan2(float y, float x)
         high = width;
     }
 
-    /* Of two zeros the ratio is 0. */
+    /*
+     * The smallest normal number makes the ratio of two zeros 0; it changes no other one within the stated range.
+     */
     const float ratio = low / (high + FLT_MIN);
     const float z = ratio * ratio;
     const float upper = FAST_ARCTANGENT_OF_RATIO[4]

@@ -8,12 +8,12 @@ static const uint64_t POINTING_BIAS = UINT64_C(3);
 void pointing_difference(const pointing_t *self, const pointing_t *from,
     double errors[BESSEMER_RESTRICT 6])
 {
-    unit_quaternion_f64_t attitude_first;
-    unit_quaternion_inverse_f64(&from->attitude, &attitude_first);
-    unit_quaternion_f64_t attitude;
-    unit_quaternion_product_f64(&attitude_first, &self->attitude, &attitude);
+    unit_quaternion_f64_t attitude_change_first;
+    unit_quaternion_inverse_f64(&from->attitude, &attitude_change_first);
+    unit_quaternion_f64_t attitude_change;
+    unit_quaternion_product_f64(&attitude_change_first, &self->attitude, &attitude_change);
     double attitude_turn[3];
-    rotation_scaled_axis_f64(&attitude, attitude_turn);
+    rotation_scaled_axis_f64(&attitude_change, attitude_turn);
     for (uint32_t n = 0U; n < 3U; n++) {
         errors[POINTING_ATTITUDE + n] = attitude_turn[n];
     }

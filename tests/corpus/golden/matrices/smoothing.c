@@ -104,7 +104,8 @@ void smoothing_swung(const double state[2], double period, double result[BESSEME
 }
 
 /**
- * Returns the state after a period, by one step of the classical Runge-Kutta method of fourth order; `law` gives its rate.
+ * Returns the state after a period, by one step of the classical Runge-Kutta method of fourth order; `law` gives its
+ * rate.
  */
 static void smoothing_runge_kutta_in_swung(const double state[2], double period,
     double result[BESSEMER_RESTRICT 2])
@@ -144,8 +145,9 @@ void smoothing_swung_jacobian(const double state[2], double period,
 }
 
 /**
- * Returns the state of `runge_kutta` and its Jacobian by the state before; `law` gives the rate and the rate's Jacobian. The Jacobian belongs
- * to the step, not to the continuous flow: a covariance follows what the filter computes.
+ * Returns the state of `runge_kutta` and its Jacobian by the state before; `law` gives the rate and the rate's
+ * Jacobian. The Jacobian belongs to the step, not to the continuous flow: a covariance follows what the filter
+ * computes.
  */
 static void smoothing_runge_kutta_jacobian_in_swung_jacobian(const double state[2], double period,
     pair_vector2_f64_matrix2x2_f64_t *BESSEMER_RESTRICT result)

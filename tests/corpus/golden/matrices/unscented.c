@@ -45,7 +45,8 @@ bool located_drive(located_t *self, double distance, double turn)
 }
 
 /**
- * Returns the distribution of `law` of numbers with this mean and covariance; none unless the covariance is positive definite and the spread positive.
+ * Returns the distribution of `law` of numbers with this mean and covariance; none unless the covariance is positive
+ * definite and the spread positive.
  */
 static void located_unscented_in_drive(const double mean[3], const symmetric_f64_3_t *covariance,
     double spread, double distance, double turn,
@@ -70,7 +71,8 @@ static void located_unscented_in_drive(const double mean[3], const symmetric_f64
     unscented_driven(mean, distance, turn, center);
 
     /*
-     * Half the sum and half the difference of the results at the two points of each column, the sum less that at the mean.
+     * Half the sum and half the difference of the results at the two points of each column, the sum less that at the
+     * mean.
      */
     double even[9] = {0};
     double odd[9] = {0};
@@ -162,7 +164,8 @@ void located_measure(located_t *BESSEMER_RESTRICT self, const double measured[2]
 }
 
 /**
- * Returns the distribution of `law` of numbers with this mean and covariance; none unless the covariance is positive definite and the spread positive.
+ * Returns the distribution of `law` of numbers with this mean and covariance; none unless the covariance is positive
+ * definite and the spread positive.
  */
 static void located_unscented_in_measure(const double mean[3], const symmetric_f64_3_t *covariance,
     double spread, option_transformed_f64_3_2_t *BESSEMER_RESTRICT result)
@@ -184,7 +187,8 @@ static void located_unscented_in_measure(const double mean[3], const symmetric_f
     unscented_distances(mean, center);
 
     /*
-     * Half the sum and half the difference of the results at the two points of each column, the sum less that at the mean.
+     * Half the sum and half the difference of the results at the two points of each column, the sum less that at the
+     * mean.
      */
     double even[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     double odd[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
@@ -292,8 +296,9 @@ void located_by_root_step(located_by_root_t *BESSEMER_RESTRICT self, double dist
 }
 
 /**
- * Moves a state and this covariance by a step without a derivative, with the points of `unscented` and independent noise of
- * these standard deviations. Returns false, and changes nothing, if `spread` is less than N.
+ * Moves a state and this covariance by a step without a derivative, with the points of
+ * `unscented` and independent noise of these standard deviations. Returns false, and changes
+ * nothing, if `spread` is less than N.
  */
 static bool located_by_root_predict_unscented_in_step(rooted_f64_3_t *BESSEMER_RESTRICT self,
     double state[BESSEMER_RESTRICT 3], double spread, const double deviations[3], double distance,
@@ -366,8 +371,8 @@ static bool located_by_root_predict_unscented_in_step(rooted_f64_3_t *BESSEMER_R
 }
 
 /**
- * Corrects a state by one number that `law` expects, with the points of `unscented`. Several independent numbers
- * are corrected one by one.
+ * Corrects a state by one number that `law` expects, with the points of `unscented`. Several
+ * independent numbers are corrected one by one.
  */
 static void located_by_root_correct_unscented_in_step(rooted_f64_3_t *BESSEMER_RESTRICT self,
     double state[BESSEMER_RESTRICT 3], double spread, double measured, double variance,
