@@ -147,52 +147,69 @@ impl<T: Real, const N: usize, const M: usize, const C: usize, const D: usize, co
         low: &SVector<T, M>,
         high: &SVector<T, M>,
     ) -> bool {
-        let small = change.amax() * real(1e-3);
-        let cones = M.saturating_sub(C * D);
-        let (mut most, mut is_bounded) = (T::ZERO, true);
-        for i in 0..cones {
+        for i in 0..(M as u32).saturating_sub((C * D) as u32) as usize {
             if low[i] > high[i] {
                 return true;
             }
-            let limit = if change[i] > T::ZERO { high[i] } else { low[i] };
-            // Small changes at no limit are rounding errors.
-            if limit.is_finite() || change[i].abs() > small {
-                most += limit * change[i];
-            }
         }
-        for c in 0..C {
-            let first = row::<M>(cones, c * D);
-            let mut square = T::ZERO;
-            for d in 0..D {
-                let at = row::<M>(first, d);
-                most += low[at] * change[at];
-                if d > 0 {
-                    square += change[at] * change[at];
-                }
-            }
-            is_bounded &= square.sqrt() <= small - change[first];
-        }
-        is_bounded && most < -small && program.rows.tr_mul(change).amax() <= small
+        let small = change.amax() * real(1e-3);
+        let most = support::<T, M, C, D>(change, low, high, small);
+        most < -small && program.rows.tr_mul(change).amax() <= small
     }
+}
+
+/// Returns the most of `direction`ᵀs for rows s within their limits and cones: infinite if they do not bound it, to
+/// `small`.
+#[function]
+pub(crate) fn support<T: Real, const M: usize, const C: usize, const D: usize>(
+    direction: &SVector<T, M>,
+    low: &SVector<T, M>,
+    high: &SVector<T, M>,
+    small: T,
+) -> T {
+    let cones = (M as u32).saturating_sub((C * D) as u32);
+    let mut most = T::ZERO;
+    for i in 0..cones as usize {
+        let limit = if direction[i] > T::ZERO { high[i] } else { low[i] };
+        // Small directions at no limit are rounding errors.
+        if limit.is_finite() || direction[i].abs() > small {
+            most += limit * direction[i];
+        }
+    }
+    for c in 0..C as u32 {
+        let first = row::<M>(cones, c * D as u32);
+        let mut square = T::ZERO;
+        for d in 0..D as u32 {
+            let at = row::<M>(first as u32, d);
+            most += low[at] * direction[at];
+            if d > 0 {
+                square += direction[at] * direction[at];
+            }
+        }
+        if !(square.sqrt() <= small - direction[first]) {
+            most = T::INFINITY;
+        }
+    }
+    most
 }
 
 /// Replaces rows by the nearest ones within their limits and cones.
 #[function]
-fn project<T: Real, const M: usize, const C: usize, const D: usize>(
+pub(crate) fn project<T: Real, const M: usize, const C: usize, const D: usize>(
     rows: &mut SVector<T, M>,
     low: &SVector<T, M>,
     high: &SVector<T, M>,
 ) {
-    let cones = M.saturating_sub(C * D);
-    for i in 0..cones {
+    let cones = (M as u32).saturating_sub((C * D) as u32);
+    for i in 0..cones as usize {
         rows[i] = rows[i].max(low[i]).min(high[i]);
     }
-    for c in 0..C {
-        let first = row::<M>(cones, c * D);
+    for c in 0..C as u32 {
+        let first = row::<M>(cones, c * D as u32);
         let axis = rows[first] - low[first];
         let mut square = T::ZERO;
-        for d in 1..D {
-            let at = row::<M>(first, d);
+        for d in 1..D as u32 {
+            let at = row::<M>(first as u32, d);
             square += (rows[at] - low[at]) * (rows[at] - low[at]);
         }
         let length = square.sqrt();
@@ -205,8 +222,8 @@ fn project<T: Real, const M: usize, const C: usize, const D: usize>(
             (height, height / length)
         };
         rows[first] = low[first] + height;
-        for d in 1..D {
-            let at = row::<M>(first, d);
+        for d in 1..D as u32 {
+            let at = row::<M>(first as u32, d);
             rows[at] = low[at] + (rows[at] - low[at]) * share;
         }
     }
@@ -215,6 +232,6 @@ fn project<T: Real, const M: usize, const C: usize, const D: usize>(
 /// Returns the index of a row behind another, and the last row if there are fewer: a program without cones has none to
 /// index.
 #[function]
-fn row<const M: usize>(from: usize, behind: usize) -> usize {
-    from.saturating_add(behind).min(M - 1)
+fn row<const M: usize>(from: u32, behind: u32) -> usize {
+    from.saturating_add(behind).min(M as u32 - 1) as usize
 }

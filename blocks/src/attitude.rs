@@ -78,7 +78,7 @@ pub fn attitude_torque<T: Real>(
 
 /// Returns the direction of up in the body's frame.
 #[function]
-fn up<T: Real>(attitude: &UnitQuaternion<T>) -> Vector3<T> {
+pub(crate) fn up<T: Real>(attitude: &UnitQuaternion<T>) -> Vector3<T> {
     let (w, x, y, z) = (attitude.w, attitude.i, attitude.j, attitude.k);
     let two = real::<T>(2.0);
     Vector3::new(two * (x * z - w * y), two * (y * z + w * x), w * w - x * x - y * y + z * z)

@@ -189,6 +189,20 @@ impl<T: Real, const N: usize> Cascade<T, N> {
         value
     }
 
+    /// Sets the state as if the input had always been `sample`: no transient follows. It is not finite for a section
+    /// with a pole at rest, such as an integrator.
+    #[entry(infallible)]
+    pub fn preset(&mut self, sections: &[Section<T>; N], sample: T) {
+        let mut value = sample;
+        for (state, section) in self.states.iter_mut().zip(sections) {
+            let gain = (section.b0 + section.b1 + section.b2) / (T::ONE + section.a1 + section.a2);
+            let output = gain * value;
+            let second = section.b2 * value - section.a2 * output;
+            *state = [section.b1 * value - section.a1 * output + second, second];
+            value = output;
+        }
+    }
+
     /// Filters a block of samples in place, section by section. The bits equal those of single steps.
     pub fn block<const M: usize>(&mut self, sections: &[Section<T>; N], samples: &mut [T; M]) {
         for (state, section) in self.states.iter_mut().zip(sections) {

@@ -32,6 +32,8 @@
 //! model uses. The book has a page for each family, with its C and its cost (`docs/book/blocks/`).
 
 #![no_std]
+// A comparison with NaN is false, and its negation is meant.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 pub mod admm;
 pub mod attitude;
@@ -40,11 +42,14 @@ pub mod calculus;
 pub mod drives;
 pub mod filters;
 pub mod frames;
+pub mod kalman_attitude;
 pub mod limits;
 pub mod logic;
 pub mod machine;
 pub mod pid;
 pub mod quadratic;
+pub mod receding;
+pub mod riccati;
 pub mod spectrum;
 pub mod tables;
 pub mod trajectories;
@@ -57,11 +62,14 @@ pub use calculus::*;
 pub use drives::*;
 pub use filters::*;
 pub use frames::*;
+pub use kalman_attitude::*;
 pub use limits::*;
 pub use logic::*;
 pub use machine::*;
 pub use pid::*;
 pub use quadratic::*;
+pub use receding::*;
+pub use riccati::*;
 pub use spectrum::*;
 pub use tables::*;
 pub use trajectories::*;

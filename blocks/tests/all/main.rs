@@ -8,5 +8,6 @@ mod earth;
 mod laws;
 mod machines;
 mod motions;
+mod predictions;
 mod programs;
 mod signals;

@@ -1,6 +1,6 @@
 //! Trajectories, drives and attitudes against SciPy, NumPy and AHRS.
 
-use bessemer::nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use bessemer::nalgebra::{Quaternion, SVector, UnitQuaternion, Vector3};
 use bessemer::prelude::{Real, real};
 use bessemer_blocks::*;
 
@@ -99,4 +99,70 @@ fn attitudes<T: Real>() {
 fn attitudes_equal_those_of_ahrs() {
     attitudes::<f64>();
     attitudes::<f32>();
+}
+
+fn error_states<T: Real>(digits: i32) {
+    let data = Data::read(include_str!("../data/error_state.txt"));
+    let noise = ErrorStateNoise {
+        rates: real::<T>(1e-5),
+        drift: real(1e-8),
+        force: real(4e-3),
+        gate: real(1e6),
+        period: real(0.01),
+    };
+    let variances = [0.25, 0.25, 1.5, 1e-3, 1e-3, 1e-3].map(real::<T>);
+    let north = Vector3::new(real(0.6), T::ZERO, real(-0.8));
+    let mut filter = ErrorStateFilter::<T>::default();
+    filter.begin(&UnitQuaternion::identity(), &SVector::from(variances));
+    let (attitudes, biases) = (data.rows::<T, 4>("attitude"), data.rows::<T, 3>("bias"));
+    let (fields, surprises) = (data.rows::<T, 3>("field"), data.get::<T>("surprise"));
+    let samples = data.rows::<T, 3>("rates").into_iter().zip(data.rows::<T, 3>("force"));
+    let mut attitude = UnitQuaternion::identity();
+    for (k, (rates, force)) in samples.enumerate() {
+        filter.predict(&noise, &Vector3::from(rates));
+        let up = filter.correct(&Vector3::z(), &Vector3::from(force), noise.force, noise.gate);
+        let mut surprise = up.surprise;
+        if k % 5 == 0 {
+            let field = Vector3::from(fields[k / 5]);
+            surprise = filter.correct(&north, &field, real(1e-2), noise.gate).surprise;
+        }
+        attitude = filter.attitude();
+        if k % 20 == 0 {
+            let found = [attitude.i, attitude.j, attitude.k, attitude.w];
+            let sign = if attitude.w < T::ZERO { -T::ONE } else { T::ONE };
+            let expected = attitudes[k / 20];
+            let turned = if expected[3] < T::ZERO { -T::ONE } else { T::ONE };
+            near(&found.map(|it| it * sign), &expected.map(|it| it * turned), digits);
+            near(filter.bias().as_slice(), &biases[k / 20], digits - 1);
+            near(&[surprise], &surprises[k / 20..=k / 20], digits - 2);
+        }
+    }
+    let [i, j, k, w] = data.all::<T, 4>("truth");
+    let truth = UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k));
+    assert!(attitude_error(&attitude, &truth).norm().as_f64() < 0.03);
+    assert!((filter.bias() - Vector3::from(data.all::<T, 3>("true_bias"))).norm().as_f64() < 0.06);
+}
+
+#[test]
+fn an_error_state_filter_equals_one_on_dense_matrices() {
+    error_states::<f64>(11);
+    error_states::<f32>(13);
+}
+
+/// Samples that are none, and surprising ones, change nothing.
+#[test]
+fn an_error_state_filter_ignores_what_it_must() {
+    let noise =
+        ErrorStateNoise { rates: 1e-5, drift: 1e-8, force: 1e-3, gate: 16.0, period: 0.01_f64 };
+    let mut filter = ErrorStateFilter::default();
+    for _ in 0..200 {
+        filter.step(&noise, &Vector3::zeros(), &Vector3::new(0.0, 0.1, 0.995));
+    }
+    let before = filter.clone();
+    filter.predict(&noise, &Vector3::new(f64::NAN, 0.0, 0.0));
+    for force in [[0.0; 3], [f64::INFINITY, 0.0, 1.0], [f64::NAN, 0.0, 1.0], [1.0, 0.0, 0.0]] {
+        let found = filter.correct(&Vector3::z(), &Vector3::from(force), noise.force, noise.gate);
+        assert_eq!(found.status, bessemer_estimation::Status::Rejected, "{force:?}");
+    }
+    assert_eq!(filter, before);
 }

@@ -15,7 +15,7 @@ import clarabel
 import control
 import numpy as np
 import pymap3d
-from scipy import integrate, interpolate, optimize, signal, sparse
+from scipy import integrate, interpolate, linalg, optimize, signal, sparse
 from scipy.spatial.transform import Rotation
 
 HERE = pathlib.Path(__file__).parent
@@ -391,5 +391,161 @@ def programs():
     write("programs", values)
 
 
-for family in [controllers, filters, windows, limits, tables, trajectories, drives, attitude, frames, bytes_, spectrum, programs, design]:
+def receding():
+    """A pendulum on a cart: the best plan from a state, and the way to the middle with the best plan in each period, by SLSQP."""
+    h, periods, goal = 0.05, 20, np.zeros(4)
+    q = np.array([2.0, 4.0, 0.1, 0.2])
+
+    def law(x, u):
+        turn = (9.81 * np.sin(x[1]) - u * np.cos(x[1])) / 0.5 - 0.1 * x[3]
+        speed, rate = x[2] + h * u, x[3] + h * turn
+        return np.array([x[0] + h * speed, x[1] + h * rate, speed, rate])
+
+    def states(u, x):
+        found = []
+        for push in u:
+            x = law(x, push)
+            found.append(x)
+        return np.array(found)
+
+    def by_inputs(u, x):
+        """The Jacobians of the states by the inputs."""
+        jacobian, found = np.zeros((4, periods)), []
+        for k, push in enumerate(u):
+            sine, cosine = np.sin(x[1]), np.cos(x[1])
+            angle = (9.81 * cosine + push * sine) / 0.5
+            a = np.array([[1, 0, h, 0], [0, 1 + h * h * angle, 0, h - 0.1 * h * h], [0, 0, 1, 0], [0, h * angle, 0, 1 - 0.1 * h]])
+            b = np.array([h * h, -h * h * cosine / 0.5, h, -h * cosine / 0.5])
+            jacobian = a @ jacobian
+            jacobian[:, k] += b
+            found.append(jacobian)
+            x = law(x, push)
+        return found
+
+    def best(x, start):
+        weights = np.array([q] * (periods - 1) + [20 * q])
+
+        def cost(u):
+            return 0.5 * np.sum(weights * states(u, x) ** 2) + 0.005 * np.sum(u**2)
+
+        def slope(u):
+            rows = zip(by_inputs(u, x), weights * states(u, x))
+            return sum(jacobian.T @ row for jacobian, row in rows) + 0.01 * u
+
+        rails = [
+            {
+                "type": "ineq",
+                "fun": lambda u: np.concatenate([0.8 - states(u, x)[:, 0], 0.8 + states(u, x)[:, 0]]),
+                "jac": lambda u: np.concatenate([[-j[0] for j in by_inputs(u, x)], [j[0] for j in by_inputs(u, x)]]),
+            }
+        ]
+        found = optimize.minimize(
+            cost, start, jac=slope, method="SLSQP", bounds=[(-12, 12)] * periods, constraints=rails,
+            options={"ftol": 1e-15, "maxiter": 500},
+        )
+        assert found.success, found.message
+        return found.x
+
+    values = {}
+    for index, x in enumerate([[0.5, 0.2, 0.0, 0.0], [-0.6, 0.1, -0.2, -0.3], [0.2, -0.5, -0.4, 0.5]]):
+        plan = best(np.array(x), np.zeros(periods))
+        values[f"start_{index}"], values[f"plan_{index}"] = x, plan
+    x, plan, track, cost = np.array([-0.5, 0.4, 0.0, 0.0]), np.zeros(periods), [], 0.0
+    for k in range(40):
+        plan = best(x, np.append(plan[1:], plan[-1]))
+        x = law(x, plan[0])
+        cost += 0.5 * np.sum(q * x**2) + 0.005 * plan[0] ** 2
+        track.append(x)
+    values["track"], values["track_cost"] = track, [cost]
+    write("receding", values)
+
+
+def riccati():
+    """Plans of a mass in three dimensions with limits and a cone of its inputs, by Clarabel, as one sparse program."""
+    h, periods, weight = 0.2, 8, 2.0
+    a = np.block([[np.eye(3), h * np.eye(3)], [np.zeros((3, 3)), np.eye(3)]])
+    b = np.vstack([h * h / 2 * np.eye(3), h * np.eye(3)])
+    q, r = np.diag([4.0, 3.0, 3.0, 1.0, 0.5, 0.5]), np.diag([0.3, 0.2, 0.2])
+    last = linalg.solve_discrete_are(a, b, q + weight * np.eye(6), r + weight * np.eye(3))
+    values = {"a": a, "b": b, "q": q, "r": r, "last": last}
+    rng, goal = np.random.default_rng(41), np.array([1.0, 0.2, -0.1, 0.0, 0.0, 0.0])
+    values["goal"] = goal
+    # The unknowns are the inputs, then the states from the first that follows.
+    forced, free = np.zeros((6 * periods, 3 * periods)), np.zeros((6 * periods, 6))
+    for k in range(periods):
+        free[6 * k : 6 * k + 6] = np.linalg.matrix_power(a, k + 1)
+        for j in range(k + 1):
+            forced[6 * k : 6 * k + 6, 3 * j : 3 * j + 3] = np.linalg.matrix_power(a, k - j) @ b
+    weights = linalg.block_diag(*[q] * (periods - 1), last - weight * np.eye(6))
+    hessian = linalg.block_diag(*[r] * periods) + forced.T @ weights @ forced
+    for index in range(12):
+        x = np.concatenate([rng.normal(size=3) * 0.8, rng.normal(size=3) * 0.6]).round(3)
+        if index % 4 == 3:
+            x[3] = 6.0
+        cone = index % 2
+        low, high = np.array([-2.0, -1.0, -1.0]), np.array([2.0, 1.0, 1.5])
+        lowest, highest = np.array([-9.0, -9.0, -9.0, -0.8, -0.8, -9.0]), np.array([9.0, 9.0, 9.0, 1.0, 0.8, 9.0])
+        if cone:
+            low = np.array([-3.0, 0.0, 0.0])
+        apart = np.tile(goal, periods) - free @ x
+        gradient = -forced.T @ weights @ apart
+        rows = np.vstack([forced, np.eye(3 * periods)])
+        under = np.concatenate([np.tile(lowest, periods) - free @ x, np.tile(low, periods)])
+        above = np.concatenate([np.tile(highest, periods) - free @ x, np.tile(high, periods)])
+        plan = minimum(hessian, gradient, rows, under, above, periods if cone else 0)
+        for name, numbers in [("x", x), ("low", low), ("high", high), ("lowest", lowest), ("highest", highest)]:
+            values[f"{name}_{index}"] = numbers
+        values[f"input_{index}"] = plan[:3]
+    write("riccati", values)
+
+
+def error_state():
+    """The error-state filter on dense matrices, with Joseph's form and SciPy's rotations."""
+    h, rates_noise, drift, force_noise, field_noise = 0.01, 1e-5, 1e-8, 4e-3, 1e-2
+    rng, north = np.random.default_rng(8), np.array([0.6, 0.0, -0.8])
+    truth, bias = Rotation.from_euler("xyz", [0.4, -0.3, 1.2]), np.array([0.02, -0.01, 0.03])
+    q, b = Rotation.identity(), np.zeros(3)
+    p = np.diag([0.25, 0.25, 1.5, 1e-3, 1e-3, 1e-3])
+    all_rates, forces, fields, quaternions, biases, surprises = [], [], [], [], [], []
+
+    def across(v):
+        return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+
+    def correct(q, b, p, direction, measured, variance):
+        expected = q.inv().apply(direction)
+        row = np.hstack([across(expected), np.zeros((3, 3))])
+        spread = row @ p @ row.T + variance * np.eye(3)
+        gain = p @ row.T @ np.linalg.inv(spread)
+        off = measured / np.linalg.norm(measured) - expected
+        errors = gain @ off
+        kept = np.eye(6) - gain @ row
+        p = kept @ p @ kept.T + variance * gain @ gain.T
+        return q * Rotation.from_rotvec(errors[:3]), b + errors[3:], p, off @ np.linalg.inv(spread) @ off
+
+    for k in range(300):
+        rates = np.array([0.5 * np.sin(0.02 * k), 0.3, 0.4 * np.cos(0.013 * k)])
+        truth = truth * Rotation.from_rotvec(rates * h)
+        measured = (rates + bias + rng.normal(size=3) * 0.03).round(6)
+        force = (9.81 * (truth.inv().apply([0, 0, 1]) + 0.05 * rng.normal(size=3))).round(6)
+        field = (45.0 * (truth.inv().apply(north) + 0.05 * rng.normal(size=3))).round(6)
+        turn = Rotation.from_rotvec((measured - b) * h)
+        jacobian = np.eye(6)
+        jacobian[:3, :3], jacobian[:3, 3:] = turn.inv().as_matrix(), -h * np.eye(3)
+        q, p = q * turn, jacobian @ p @ jacobian.T + np.diag([rates_noise * h] * 3 + [drift * h] * 3)
+        q, b, p, surprise = correct(q, b, p, np.array([0.0, 0.0, 1.0]), force, force_noise)
+        if k % 5 == 0:
+            fields.append(field)
+            q, b, p, surprise = correct(q, b, p, north, field, field_noise)
+        for kept, numbers in [
+            (all_rates, measured), (forces, force), (quaternions, q.as_quat()), (biases, b), (surprises, surprise)
+        ]:
+            kept.append(numbers)
+    write(
+        "error_state",
+        {"rates": all_rates, "force": forces, "field": fields, "attitude": quaternions[::20], "bias": biases[::20],
+         "surprise": surprises[::20], "truth": truth.as_quat(), "true_bias": bias},
+    )
+
+
+for family in [controllers, filters, windows, limits, tables, trajectories, drives, attitude, error_state, frames, bytes_, spectrum, programs, receding, riccati, design]:
     family()

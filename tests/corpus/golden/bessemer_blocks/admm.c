@@ -2,6 +2,9 @@
 
 /* admm.c */
 
+static uint64_t admm_row_3(uint32_t from, uint32_t behind);
+static uint64_t admm_row_4(uint32_t from, uint32_t behind);
+
 void admm_program_f32_3_4_new(const float hessian[9], const float rows[12], const float weights[4],
     float tolerance, option_admm_program_f32_3_4_t *BESSEMER_RESTRICT result)
 {
@@ -54,19 +57,110 @@ void admm_program_f32_3_4_new(const float hessian[9], const float rows[12], cons
     result->value.tolerance = tolerance;
 }
 
-void admm_project_f32_4_1_3(float rows[BESSEMER_RESTRICT 4], const float low[4],
-    const float high[4])
+float admm_support_f32_3_1_3(const float direction[3], const float low[3], const float high[3],
+    float small)
 {
-    const uint64_t cones = saturating_sub_u64(UINT64_C(4), UINT64_C(3));
-    for (uint64_t i = UINT64_C(0); i < cones; i++) {
+    const uint32_t cones = saturating_sub_u32(3U, 3U);
+    float most = 0.0F;
+    for (uint64_t i = UINT64_C(0); i < (uint64_t)cones; i++) {
+        float limit;
+        if (direction[i] > 0.0F) {
+            limit = high[i];
+        } else {
+            limit = low[i];
+        }
+
+        /* Small directions at no limit are rounding errors. */
+        if (isfinite(limit) != 0 || fabsf(direction[i]) > small) {
+            most += limit * direction[i];
+        }
+    }
+    for (uint32_t c = 0U; c < 1U; c++) {
+        const uint64_t first = admm_row_3(cones, c * 3U);
+        float square = 0.0F;
+        for (uint32_t d = 0U; d < 3U; d++) {
+            const uint64_t at = admm_row_3((uint32_t)first, d);
+            most += low[at] * direction[at];
+            if (d > 0U) {
+                square += direction[at] * direction[at];
+            }
+        }
+        if (!(sqrtf(square) <= small - direction[first])) {
+            most = INFINITY;
+        }
+    }
+    return most;
+}
+
+float admm_support_f32_4_1_3(const float direction[4], const float low[4], const float high[4],
+    float small)
+{
+    const uint32_t cones = saturating_sub_u32(4U, 3U);
+    float most = 0.0F;
+    for (uint64_t i = UINT64_C(0); i < (uint64_t)cones; i++) {
+        float limit;
+        if (direction[i] > 0.0F) {
+            limit = high[i];
+        } else {
+            limit = low[i];
+        }
+
+        /* Small directions at no limit are rounding errors. */
+        if (isfinite(limit) != 0 || fabsf(direction[i]) > small) {
+            most += limit * direction[i];
+        }
+    }
+    for (uint32_t c = 0U; c < 1U; c++) {
+        const uint64_t first = admm_row_4(cones, c * 3U);
+        float square = 0.0F;
+        for (uint32_t d = 0U; d < 3U; d++) {
+            const uint64_t at = admm_row_4((uint32_t)first, d);
+            most += low[at] * direction[at];
+            if (d > 0U) {
+                square += direction[at] * direction[at];
+            }
+        }
+        if (!(sqrtf(square) <= small - direction[first])) {
+            most = INFINITY;
+        }
+    }
+    return most;
+}
+
+float admm_support_f32_6_0_0(const float direction[6], const float low[6], const float high[6],
+    float small)
+{
+    const uint32_t cones = saturating_sub_u32(6U, 0U);
+    float most = 0.0F;
+    for (uint64_t i = UINT64_C(0); i < (uint64_t)cones; i++) {
+        float limit;
+        if (direction[i] > 0.0F) {
+            limit = high[i];
+        } else {
+            limit = low[i];
+        }
+
+        /* Small directions at no limit are rounding errors. */
+        if (isfinite(limit) != 0 || fabsf(direction[i]) > small) {
+            most += limit * direction[i];
+        }
+    }
+    return most;
+}
+
+void admm_project_f32_3_1_3(float rows[BESSEMER_RESTRICT 3], const float low[3],
+    const float high[3])
+{
+    const uint32_t cones = saturating_sub_u32(3U, 3U);
+    for (uint64_t i = UINT64_C(0); i < (uint64_t)cones; i++) {
         rows[i] = min_f32(max_f32(rows[i], low[i]), high[i]);
     }
     for (uint32_t c = 0U; c < 1U; c++) {
-        const uint64_t first = admm_row_4(cones, u64_from_u32(c * 3U));
+        const uint64_t first = admm_row_3(cones, c * 3U);
         const float axis = rows[first] - low[first];
         float square = 0.0F;
         for (uint32_t d = 1U; d < 3U; d++) {
-            const uint64_t at = admm_row_4(first, d);
+            const uint64_t at = admm_row_3((uint32_t)first, d);
             square += (rows[at] - low[at]) * (rows[at] - low[at]);
         }
         const float length = sqrtf(square);
@@ -86,15 +180,71 @@ void admm_project_f32_4_1_3(float rows[BESSEMER_RESTRICT 4], const float low[4],
         const float share = value_choice.second;
         rows[first] = low[first] + height;
         for (uint32_t d = 1U; d < 3U; d++) {
-            const uint64_t at = admm_row_4(first, d);
+            const uint64_t at = admm_row_3((uint32_t)first, d);
             rows[at] = low[at] + (rows[at] - low[at]) * share;
         }
     }
 }
 
-uint64_t admm_row_4(uint64_t from, uint64_t behind)
+void admm_project_f32_4_1_3(float rows[BESSEMER_RESTRICT 4], const float low[4],
+    const float high[4])
 {
-    return min_u64(saturating_add_u64(from, behind), UINT64_C(3));
+    const uint32_t cones = saturating_sub_u32(4U, 3U);
+    for (uint64_t i = UINT64_C(0); i < (uint64_t)cones; i++) {
+        rows[i] = min_f32(max_f32(rows[i], low[i]), high[i]);
+    }
+    for (uint32_t c = 0U; c < 1U; c++) {
+        const uint64_t first = admm_row_4(cones, c * 3U);
+        const float axis = rows[first] - low[first];
+        float square = 0.0F;
+        for (uint32_t d = 1U; d < 3U; d++) {
+            const uint64_t at = admm_row_4((uint32_t)first, d);
+            square += (rows[at] - low[at]) * (rows[at] - low[at]);
+        }
+        const float length = sqrtf(square);
+        pair_f32_f32_t value_choice;
+        if (length <= axis) {
+            value_choice.first = axis;
+            value_choice.second = 1.0F;
+        } else if (length <= -axis) {
+            value_choice.first = 0.0F;
+            value_choice.second = 0.0F;
+        } else {
+            const float height = (axis + length) * 0.5F;
+            value_choice.first = height;
+            value_choice.second = height / length;
+        }
+        const float height = value_choice.first;
+        const float share = value_choice.second;
+        rows[first] = low[first] + height;
+        for (uint32_t d = 1U; d < 3U; d++) {
+            const uint64_t at = admm_row_4((uint32_t)first, d);
+            rows[at] = low[at] + (rows[at] - low[at]) * share;
+        }
+    }
+}
+
+/**
+ * Returns the index of a row behind another, and the last row if there are fewer: a program without cones has none to
+ * index.
+ */
+static uint64_t admm_row_3(uint32_t from, uint32_t behind)
+{
+    return (uint64_t)min_u32(saturating_add_u32(from, behind), 3U - 1U);
+}
+
+/**
+ * Returns the index of a row behind another, and the last row if there are fewer: a program without cones has none to
+ * index.
+ */
+static uint64_t admm_row_4(uint32_t from, uint32_t behind)
+{
+    return (uint64_t)min_u32(saturating_add_u32(from, behind), 4U - 1U);
+}
+
+uint64_t admm_row_6(uint32_t from, uint32_t behind)
+{
+    return (uint64_t)min_u32(saturating_add_u32(from, behind), 6U - 1U);
 }
 
 /* admm.h */
@@ -281,41 +431,19 @@ static bool admm_f32_3_4_1_3_25_proves(const admm_f32_3_4_1_3_25_t *self,
     const float high[4])
 {
     (void)self;
-    const float small = upper_f32(upper_f32(upper_f32(fabsf(change[0]), fabsf(change[1])),
-        fabsf(change[2])), fabsf(change[3])) * 0.001F;
-    const uint64_t cones = saturating_sub_u64(UINT64_C(4), UINT64_C(3));
-    float most = 0.0F;
-    bool is_bounded = true;
-    for (uint64_t i = UINT64_C(0); i < cones; i++) {
-        if (low[i] > high[i]) {
-            return true;
-        }
-        float limit;
-        if (change[i] > 0.0F) {
-            limit = high[i];
-        } else {
-            limit = low[i];
-        }
-
-        /* Small changes at no limit are rounding errors. */
-        if (isfinite(limit) != 0 || fabsf(change[i]) > small) {
-            most += limit * change[i];
-        }
-    }
-    for (uint32_t c = 0U; c < 1U; c++) {
-        const uint64_t first = admm_row_4(cones, u64_from_u32(c * 3U));
-        float square = 0.0F;
-        for (uint32_t d = 0U; d < 3U; d++) {
-            const uint64_t at = admm_row_4(first, d);
-            most += low[at] * change[at];
-            if (d > 0U) {
-                square += change[at] * change[at];
+    {
+        const uint64_t end = (uint64_t)saturating_sub_u32(4U, 3U);
+        for (uint64_t i = UINT64_C(0); i < end; i++) {
+            if (low[i] > high[i]) {
+                return true;
             }
         }
-        is_bounded = is_bounded && sqrtf(square) <= small - change[first];
     }
+    const float small = upper_f32(upper_f32(upper_f32(fabsf(change[0]), fabsf(change[1])),
+        fabsf(change[2])), fabsf(change[3])) * 0.001F;
+    const float most = admm_support_f32_4_1_3(change, low, high, small);
     bool result = false;
-    if (is_bounded && most < -small) {
+    if (most < -small) {
         const float result_product[3] = {
             program->rows[0 + 4 * 0] * change[0] + program->rows[2 + 4 * 0] * change[2]
                 + (program->rows[1 + 4 * 0] * change[1] + program->rows[3 + 4 * 0] * change[3]),

@@ -75,6 +75,21 @@ float cascade_f32_2_step(cascade_f32_2_t *BESSEMER_RESTRICT self, const section_
     return value;
 }
 
+void cascade_f32_2_preset(cascade_f32_2_t *BESSEMER_RESTRICT self, const section_f32_t sections[2],
+    float sample)
+{
+    float value = sample;
+    for (uint32_t i = 0U; i < 2U; i++) {
+        const float gain = (sections[i].b0 + sections[i].b1 + sections[i].b2)
+            / (1.0F + sections[i].a1 + sections[i].a2);
+        const float output = gain * value;
+        const float second = sections[i].b2 * value - sections[i].a2 * output;
+        self->states[i][0] = sections[i].b1 * value - sections[i].a1 * output + second;
+        self->states[i][1] = second;
+        value = output;
+    }
+}
+
 void cascade_f32_2_block_8(cascade_f32_2_t *BESSEMER_RESTRICT self, const section_f32_t sections[2],
     float samples[BESSEMER_RESTRICT 8])
 {

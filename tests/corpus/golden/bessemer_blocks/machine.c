@@ -25,6 +25,14 @@ typedef struct {
  */
 typedef struct {
     /** The tasks. */
+    machine_task_t tasks[1];
+} schedule_1_t;
+
+/**
+ * Schedule of `N` tasks, each with its rate. Tasks that are due in a step run in the author's order.
+ */
+typedef struct {
+    /** The tasks. */
     machine_task_t tasks[3];
 } schedule_3_t;
 
@@ -120,6 +128,59 @@ typedef struct {
     /** True after the first period. */
     bool running;
 } machine_phase_t;
+
+/* rates_1.c */
+
+void rates_1_init(rates_1_t *self)
+{
+    self->waits[0] = 0U;
+    self->running = false;
+}
+
+void rates_1_step(rates_1_t *BESSEMER_RESTRICT self, const schedule_1_t *schedule,
+    bool due[BESSEMER_RESTRICT 1])
+{
+    for (uint32_t i = 0U; i < 1U; i++) {
+        if (!self->running) {
+            self->waits[i] = schedule->tasks[i].phase;
+        }
+        due[i] = self->waits[i] == 0U;
+        if (due[i]) {
+            self->waits[i] = saturating_sub_u32(schedule->tasks[i].period, 1U);
+        } else {
+            self->waits[i] = saturating_sub_u32(self->waits[i], 1U);
+        }
+    }
+    self->running = true;
+}
+
+/* rates_1.h */
+
+/**
+ * Several rates in one step: which tasks of a `Schedule` are due.
+ *
+ * Initialisation: `Default` begins each task at its phase. The rates never drift, since each task has a count of its own.
+ *
+ * ```
+ * use bessemer_blocks::{Rates, Schedule, Task};
+ *
+ * const SCHEDULE: Schedule<2> = Schedule { tasks: [
+ *    Task { period: 1, phase: 0, cost: 40 },
+ *    Task { period: 3, phase: 1, cost: 50 },
+ * ] };
+ * const _: () = assert!(SCHEDULE.heaviest() <= 100);
+ *
+ * let mut rates = Rates::<2>::default();
+ * let slow = [0; 6].map(|_| rates.step(&SCHEDULE)[1]);
+ * assert_eq!(slow, [false, true, false, false, true, false]);
+ * ```
+ */
+typedef struct {
+    /** Steps before the next run of each task. */
+    uint32_t waits[1];
+    /** True after the first step. */
+    bool running;
+} rates_1_t;
 
 /* rates_3.c */
 

@@ -112,6 +112,17 @@ float pid_pid_f32_step(pid_pid_f32_t *BESSEMER_RESTRICT self,
     return output;
 }
 
+void pid_pid_f32_track(pid_pid_f32_t *BESSEMER_RESTRICT self,
+    const pid_parameters_f32_t *parameters, float target, float measured, float output)
+{
+    const float proportional = parameters->proportional
+        * (parameters->target_weight * target - measured);
+    self->integral = output - proportional;
+    self->derivative = 0.0F;
+    self->before = parameters->target_slope_weight * target - measured;
+    self->running = true;
+}
+
 /* pid_f32.h */
 
 /**

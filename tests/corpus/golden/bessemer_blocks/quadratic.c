@@ -209,6 +209,48 @@ static uint64_t working_set_f64_8_row_16(const working_set_f64_8_t *self, uint64
 static void working_set_f64_8_factor_16(working_set_f64_8_t *BESSEMER_RESTRICT self,
     const double rows[128], uint64_t from);
 
+void active_set_program_f64_8_16_new(const double hessian[64], const double rows[128],
+    double tolerance,
+    option_cholesky_factor_f64_8_t *BESSEMER_RESTRICT work_option_cholesky_factor_f64_8,
+    double work_numbers[BESSEMER_RESTRICT 128],
+    option_active_set_program_f64_8_16_t *BESSEMER_RESTRICT result)
+{
+    option_cholesky_factor_f64_8_t *const lower_option = work_option_cholesky_factor_f64_8;
+    cholesky_factored_f64_8(hessian, lower_option);
+    if (!lower_option->is_some) {
+        result->is_some = false;
+        for (uint32_t i = 0U; i < 64U; i++) {
+            result->value.inverse[i] = 0.0;
+        }
+        for (uint32_t i = 0U; i < 128U; i++) {
+            result->value.rows[i] = 0.0;
+        }
+        result->value.tolerance = 0.0;
+        return;
+    }
+    double *const lower = work_numbers;
+    cholesky_factor_f64_8_l(&lower_option->value, lower);
+    double *const inverse = &work_numbers[64];
+    (void)memcpy(inverse, BESSEMER_IDENTITY_8, sizeof(double[64]));
+    for (uint32_t column = 0U; column < 8U; column++) {
+        for (uint32_t i = column; i < 8U; i++) {
+            double sum = inverse[i + 8U * column];
+            for (uint32_t k = column; k < i; k++) {
+                sum -= lower[i + 8U * k] * inverse[k + 8U * column];
+            }
+            inverse[i + 8U * column] = sum / lower[i + 8U * i];
+        }
+    }
+    for (uint32_t column = 0U; column < 8U; column++) {
+        for (uint32_t row = 0U; row < 8U; row++) {
+            result->value.inverse[row + 8U * column] = inverse[column + 8U * row];
+        }
+    }
+    product_f64_16x8_8x8(rows, result->value.inverse, result->value.rows);
+    result->is_some = true;
+    result->value.tolerance = tolerance;
+}
+
 /** Returns the index of a working row. */
 static uint64_t working_set_f64_8_row_16(const working_set_f64_8_t *self, uint64_t at)
 {
@@ -453,6 +495,14 @@ typedef struct {
     /** Largest violation of a limit that counts as none, above 0, in the unit of the limits. */
     double tolerance;
 } active_set_program_f64_8_16_t;
+
+/** `Option<ActiveSetProgram_f64_8_16>`: a value, or none. */
+typedef struct {
+    /** True if there is a value. */
+    bool is_some;
+    /** The value, if there is one. */
+    active_set_program_f64_8_16_t value;
+} option_active_set_program_f64_8_16_t;
 
 /** A row by the working rows before it. */
 typedef struct {

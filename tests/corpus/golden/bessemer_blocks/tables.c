@@ -2,6 +2,8 @@
 
 /* tables.c */
 
+static void axis_f32_10_between(const axis_f32_10_t *self, uint32_t below, float value,
+    beyond_t beyond, place_f32_t *BESSEMER_RESTRICT place);
 static void axis_f32_3_between(const axis_f32_3_t *self, uint32_t below, float value,
     beyond_t beyond, place_f32_t *BESSEMER_RESTRICT place);
 static void axis_f64_5_between(const axis_f64_5_t *self, uint32_t below, double value,
@@ -36,6 +38,20 @@ void uniform_axis_f64_4_place(const uniform_axis_f64_4_t *self, double value, be
     const uint32_t below = u32_from_f64(whole);
     place->below = min_u32(below, 4U - 2U);
     place->share = tables_limited_f64(at - whole, beyond);
+}
+
+void axis_f32_10_place(const axis_f32_10_t *self, float value, beyond_t beyond,
+    place_f32_t *BESSEMER_RESTRICT place)
+{
+    uint32_t below = 0U;
+    for (uint32_t k = 1U; k < 10U - 1U; k++) {
+        if (value >= self->points[k]) {
+            below = k;
+        } else {
+            break;
+        }
+    }
+    axis_f32_10_between(self, below, value, beyond, place);
 }
 
 void axis_f32_3_place(const axis_f32_3_t *self, float value, beyond_t beyond,
@@ -81,6 +97,17 @@ void axis_f64_5_place(const axis_f64_5_t *self, double value, beyond_t beyond,
 }
 
 /** Returns the position of a value from the point below it. */
+static void axis_f32_10_between(const axis_f32_10_t *self, uint32_t below, float value,
+    beyond_t beyond, place_f32_t *BESSEMER_RESTRICT place)
+{
+    const uint32_t below_2 = min_u32(below, 10U - 2U);
+    const float low = self->points[below_2];
+    const float high = self->points[below_2 + 1U];
+    place->below = below_2;
+    place->share = tables_limited_f32((value - low) / (high - low), beyond);
+}
+
+/** Returns the position of a value from the point below it. */
 static void axis_f32_3_between(const axis_f32_3_t *self, uint32_t below, float value,
     beyond_t beyond, place_f32_t *BESSEMER_RESTRICT place)
 {
@@ -110,6 +137,14 @@ static void axis_f64_5_between(const axis_f64_5_t *self, uint32_t below, double 
     const double high = self->points[below_2 + 1U];
     place->below = below_2;
     place->share = tables_limited_f64((value - low) / (high - low), beyond);
+}
+
+float tables_interpolated_f32_10(const float values[10], const place_f32_t *place)
+{
+    const uint32_t below = min_u32(place->below, 10U - 2U);
+    const float low = values[below];
+    const float high = values[below + 1U];
+    return low + place->share * (high - low);
 }
 
 float tables_interpolated_f32_3(const float values[3], const place_f32_t *place)
@@ -256,6 +291,21 @@ typedef struct {
     /** Distance of the points, above 0. */
     double spacing;
 } uniform_axis_f64_4_t;
+
+/**
+ * Axis of `N` points at any distances: a position by search.
+ *
+ * ```
+ * use bessemer_blocks::{Axis, Beyond, interpolated};
+ *
+ * const AXIS: Axis<f64, 4> = Axis { points: [0.0, 1.0, 4.0, 9.0] };
+ * assert_eq!(interpolated(&[0.0, 1.0, 2.0, 3.0], AXIS.place(2.5, Beyond::Hold)), 1.5);
+ * ```
+ */
+typedef struct {
+    /** The points, strictly ascending. */
+    float points[10];
+} axis_f32_10_t;
 
 /**
  * Axis of `N` points at any distances: a position by search.

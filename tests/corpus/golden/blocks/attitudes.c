@@ -1,5 +1,44 @@
 /* The C of tests/corpus/src/programs/blocks/attitudes.rs. Written by a test. */
 
+/* attitudes.h */
+
+/** Working memory of its entry point; the contents are undefined between calls. */
+typedef struct {
+    error_state_filter_f64_step_work_t error_state_filter_f64_step;
+} compassed_step_work_t;
+
+/* compassed.c */
+
+void compassed_init(compassed_t *self)
+{
+    error_state_filter_f64_init(&self->filter);
+}
+
+void compassed_step(compassed_t *BESSEMER_RESTRICT self, const error_state_noise_f64_t *noise,
+    const double rates[3], const double force[3], compassed_step_work_t *BESSEMER_RESTRICT work,
+    unit_quaternion_f64_t *BESSEMER_RESTRICT unit_quaternion)
+{
+    error_state_filter_f64_step(&self->filter, noise, rates, force,
+        &work->error_state_filter_f64_step, unit_quaternion);
+}
+
+void compassed_heed(compassed_t *BESSEMER_RESTRICT self, const double north[3],
+    const double field[3], double result[BESSEMER_RESTRICT 3])
+{
+    {
+        correction_f64_t unused;
+        error_state_filter_f64_correct(&self->filter, north, field, 0.01, 16.0, &unused);
+    }
+    error_state_filter_f64_bias(&self->filter, result);
+}
+
+/* compassed.h */
+
+/** Estimates an attitude and the bias of its gyroscope, also with a compass. */
+typedef struct {
+    error_state_filter_f64_t filter;
+} compassed_t;
+
 /* estimators.c */
 
 void estimators_init(estimators_t *self)

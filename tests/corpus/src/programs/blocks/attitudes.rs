@@ -1,8 +1,9 @@
-//! Attitude of a vehicle: two estimators, and the control of its attitude.
+//! Attitude of a vehicle: three estimators, and the control of its attitude.
 
 use bessemer::prelude::*;
 pub use bessemer_blocks::{
-    AttitudeGains, Madgwick, MadgwickGain, Mahony, MahonyGains, attitude_error, attitude_torque,
+    AttitudeGains, ErrorStateFilter, ErrorStateNoise, Madgwick, MadgwickGain, Mahony, MahonyGains,
+    attitude_error, attitude_torque,
 };
 
 /// Estimates an attitude and controls it.
@@ -57,5 +58,33 @@ impl Estimators {
         let one = self.mahony.step(mahony, rates, force);
         let other = self.madgwick.step(madgwick, rates, force);
         attitude_error(&one, &other) + self.madgwick.up()
+    }
+}
+
+/// Estimates an attitude and the bias of its gyroscope, also with a compass.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Compassed {
+    filter: ErrorStateFilter<f64>,
+}
+
+#[component]
+impl Compassed {
+    /// Takes one sample of rates, rad/s, and force; returns the attitude.
+    #[entry(infallible)]
+    pub fn step(
+        &mut self,
+        noise: &ErrorStateNoise<f64>,
+        rates: &Vector3<f64>,
+        force: &Vector3<f64>,
+    ) -> UnitQuaternion<f64> {
+        self.filter.step(noise, rates, force)
+    }
+
+    /// Takes one sample of the magnetic field, in any unit; returns the bias of the gyroscope, rad/s, after it.
+    #[entry(infallible)]
+    pub fn heed(&mut self, north: &Vector3<f64>, field: &Vector3<f64>) -> Vector3<f64> {
+        self.filter.correct(north, field, 1e-2, 16.0);
+        self.filter.bias()
     }
 }
