@@ -3,17 +3,17 @@
 //! That their C has the same bits is the corpus' to show, as of any other program.
 
 use corpus::programs::cookbook::autopilot::{Autopilot, Flight, Imu};
-use corpus::programs::cookbook::debounce::{ButtonEdge, PushButton, STABLE_SAMPLES};
-use corpus::programs::cookbook::lookup_table::{
-    BROKEN, NTC_COUNTS, NTC_TEMPERATURES, SHORTED, thermistor,
+use corpus::programs::cookbook::debounce::{
+    ButtonEvent, LONG_SAMPLES, PushButton, STABLE_SAMPLES,
 };
-use corpus::programs::cookbook::low_pass::{BiquadFilter, butterworth};
+use corpus::programs::cookbook::lookup_table::{BROKEN, NTC_COUNTS, SHORTED, thermistor};
+use corpus::programs::cookbook::low_pass::{LowPass, butterworth};
 use corpus::programs::cookbook::navigation::{Inertial, Navigation, advanced};
-use corpus::programs::cookbook::pi::{PiController, PiParameters};
+use corpus::programs::cookbook::pi::{PiController, PidParameters};
 use corpus::programs::cookbook::position_servo::{PositionServo, SPEED_PERIODS, ServoParameters};
 use corpus::programs::cookbook::pump::{DRY_MS, PRIMING_MS, PumpControl, PumpInputs, PumpState};
 use corpus::programs::cookbook::q15_filter::{Q15, Q15LowPass};
-use corpus::programs::cookbook::rate_limiter::{RateLimiter, SlewLimits};
+use corpus::programs::cookbook::rate_limiter::{RateLimits, Setpoint};
 
 /// A small motor: 20 rad/s for each volt, with a time constant of 50 ms.
 #[derive(Default)]
@@ -29,8 +29,18 @@ impl Motor {
     }
 }
 
-const SPEED_LOOP: PiParameters =
-    PiParameters { proportional: 0.1, integral: 2.0, period: 1e-3, low: -12.0, high: 12.0 };
+const SPEED_LOOP: PidParameters<f32> = PidParameters {
+    proportional: 0.1,
+    integral: 2.0,
+    derivative: 0.0,
+    target_weight: 1.0,
+    target_slope_weight: 0.0,
+    filter: 0.0,
+    tracking: 0.0,
+    low: -12.0,
+    high: 12.0,
+    period: 1e-3,
+};
 
 #[test]
 fn the_pi_loop_does_not_wind_up() {
@@ -59,7 +69,7 @@ fn the_pi_loop_does_not_wind_up() {
 #[test]
 fn the_pi_loop_takes_over_where_it_was_left_and_lets_no_nan_in() {
     let mut controller = PiController::default();
-    controller.preset(&SPEED_LOOP, 5.0);
+    controller.preset(&SPEED_LOOP, 100.0, 100.0, 5.0);
     assert_eq!(controller.step(&SPEED_LOOP, 100.0, 100.0), 5.0);
     assert_eq!(controller.step(&SPEED_LOOP, 100.0, f32::NAN), -12.0);
     assert_eq!(controller.step(&SPEED_LOOP, 100.0, 100.0), 5.0);
@@ -82,16 +92,17 @@ fn the_thermistor_is_monotone_and_right_at_its_points() {
             assert!((f64::from(temperature) - law).abs() < 1.6, "{counts}: {temperature} °C");
         }
     }
-    assert_eq!((NTC_COUNTS.len(), NTC_TEMPERATURES[0]), (NTC_TEMPERATURES.len(), 120.0));
+    assert!(NTC_COUNTS.points.is_sorted_by(|below, above| below < above));
 }
 
 #[test]
 fn the_set_point_keeps_its_rates_and_arrives() {
-    let limits = SlewLimits { rise: 2.0, fall: 5.0, period: 0.01 };
-    let (mut limiter, mut before) = (RateLimiter::default(), 0.0);
+    let limits = RateLimits { rise: 2.0, fall: 5.0, period: 0.01 };
+    let (mut setpoint, mut before) = (Setpoint::default(), 0.2);
+    assert_eq!(setpoint.step(&limits, false, 1.0, 0.2), 0.2);
     for period in 0..600 {
         let target = [1.0, -1.0, 0.3, f32::NAN][period / 150];
-        let output = limiter.step(&limits, target);
+        let output = setpoint.step(&limits, true, target, 0.2);
         assert!((-0.0501..=0.0201).contains(&(output - before)), "{before} to {output}");
         before = output;
         if period % 150 == 149 && period < 450 {
@@ -106,7 +117,7 @@ fn the_low_pass_passes_what_is_slow_and_halves_the_power_at_its_cutoff() {
     let (cutoff, rate) = (50.0, 1000.0);
     let coefficients = butterworth(cutoff, rate);
     let gain = |frequency: f32| {
-        let mut filter = BiquadFilter::default();
+        let mut filter = LowPass::default();
         let wave = |n: i32| (core::f32::consts::TAU * frequency / rate * n as f32).sin();
         let settled = (0..2000).map(|n| filter.step(&coefficients, wave(n))).skip(1000);
         settled.fold(0.0_f32, |most, sample| most.max(sample.abs()))
@@ -114,7 +125,7 @@ fn the_low_pass_passes_what_is_slow_and_halves_the_power_at_its_cutoff() {
     assert!((gain(1.0) - 1.0).abs() < 0.01);
     assert!((gain(cutoff) - core::f32::consts::FRAC_1_SQRT_2).abs() < 0.01);
     assert!(gain(400.0) < 0.01);
-    let mut filter = BiquadFilter::default();
+    let mut filter = LowPass::default();
     filter.preset(&coefficients, 3.0);
     assert!((0..100).all(|_| (filter.step(&coefficients, 3.0) - 3.0).abs() < 1e-5));
 }
@@ -124,11 +135,13 @@ fn a_button_that_bounces_is_pressed_once() {
     let mut button = PushButton::default();
     let bouncing = [true, false, true, true, false].into_iter().cycle().take(20);
     let pressed = [true].into_iter().cycle().take(20);
-    let edges = bouncing.chain(pressed).map(|closed| button.sample(closed));
-    assert_eq!(edges.filter(|edge| *edge == ButtonEdge::Pressed).count(), 1);
-    assert!(button.is_pressed());
+    let mut events = bouncing.chain(pressed).map(|closed| button.sample(closed));
+    assert!(events.all(|event| event == ButtonEvent::Steady));
     let released = (0..STABLE_SAMPLES).map(|_| button.sample(false));
-    assert_eq!(released.last(), Some(ButtonEdge::Released));
+    assert_eq!(released.last(), Some(ButtonEvent::Short));
+    let mut held = (0..2 * LONG_SAMPLES).map(|_| button.sample(true));
+    assert_eq!(held.position(|event| event == ButtonEvent::Long), Some(803));
+    assert!((0..10).all(|_| button.sample(false) == ButtonEvent::Steady));
 }
 
 #[test]
@@ -153,7 +166,7 @@ fn the_servo_arrives_at_its_position_and_asks_for_no_more_than_its_speed() {
     let parameters = ServoParameters { stiffness: 8.0, speed_limit: 50.0, speed: SPEED_LOOP };
     let (mut servo, mut motor) = (PositionServo::default(), Motor::default());
     let mut fastest = 0.0_f32;
-    for _ in 0..200 * u16::from(SPEED_PERIODS) {
+    for _ in 0..200 * SPEED_PERIODS {
         let voltage = servo.step(&parameters, 10.0, motor.position, motor.speed);
         motor.step(voltage, SPEED_LOOP.period);
         fastest = fastest.max(motor.speed);

@@ -2,56 +2,50 @@
 
 /* debounce.h */
 
-/** Change of the debounced level at a sample. */
+/** Event of a button at a sample. */
 typedef enum {
-    /** The level did not change. */
-    BUTTON_EDGE_STEADY = 0,
-    /** The button was pressed. */
-    BUTTON_EDGE_PRESSED = 1,
-    /** The button was released. */
-    BUTTON_EDGE_RELEASED = 2
-} button_edge_t;
+    /** Nothing happened. */
+    BUTTON_EVENT_STEADY = 0,
+    /** The button was released before the press was long. */
+    BUTTON_EVENT_SHORT = 1,
+    /** The press became long. */
+    BUTTON_EVENT_LONG = 2
+} button_event_t;
 
 /* push_button.c */
 
-static const uint8_t STABLE_SAMPLES = 5U;
+static const uint32_t LONG_SAMPLES = 800U;
+static const uint32_t STABLE_SAMPLES = 5U;
 
 void push_button_init(push_button_t *self)
 {
-    self->pressed = false;
-    self->differing = 0U;
+    debounce_init(&self->contact);
+    logic_timer_init(&self->held);
+    self->is_long = false;
 }
 
-button_edge_t push_button_sample(push_button_t *self, bool closed)
+button_event_t push_button_sample(push_button_t *self, bool closed)
 {
-    if (closed == self->pressed) {
-        self->differing = 0U;
-        return BUTTON_EDGE_STEADY;
-    }
-    self->differing = saturating_add_u8(self->differing, 1U);
-    if (self->differing < STABLE_SAMPLES) {
-        return BUTTON_EDGE_STEADY;
-    }
-    self->differing = 0U;
-    self->pressed = closed;
-    if (closed) {
-        return BUTTON_EDGE_PRESSED;
+    logic_contact_t contact;
+    debounce_step(&self->contact, STABLE_SAMPLES, closed, &contact);
+    const bool was_long = self->is_long;
+    self->is_long = logic_timer_step(&self->held, LONG_SAMPLES, contact.is_on);
+    if (self->is_long && !was_long) {
+        return BUTTON_EVENT_LONG;
+    } else if (contact.fell && !was_long) {
+        return BUTTON_EVENT_SHORT;
     } else {
-        return BUTTON_EDGE_RELEASED;
+        return BUTTON_EVENT_STEADY;
     }
-}
-
-bool push_button_is_pressed(const push_button_t *self)
-{
-    return self->pressed;
 }
 
 /* push_button.h */
 
 /** A debounced push button. */
 typedef struct {
-    /** The debounced state: true if the button is pressed. */
-    bool pressed;
-    /** Number of consecutive samples that differ from `pressed`; below `STABLE_SAMPLES`. */
-    uint8_t differing;
+    debounce_t contact;
+    /** Time for which it is pressed. */
+    logic_timer_t held;
+    /** True if the press is long. */
+    bool is_long;
 } push_button_t;

@@ -2,26 +2,26 @@
 
 /* position_servo.c */
 
-static const uint8_t SPEED_PERIODS = 10U;
+static const schedule_1_t SCHEDULE = {.tasks = {{.period = 10U, .phase = 0U, .cost = 0U}}};
 
 void position_servo_init(position_servo_t *self)
 {
-    pi_controller_init(&self->speed_loop);
+    pid_pid_f32_init(&self->speed_loop);
     self->wanted_speed = 0.0F;
-    self->countdown = 0U;
+    rates_1_init(&self->rates);
 }
 
 float position_servo_step(position_servo_t *BESSEMER_RESTRICT self,
     const servo_parameters_t *parameters, float target, float position, float speed)
 {
-    if (self->countdown == 0U) {
-        self->countdown = SPEED_PERIODS;
+    bool elements[1];
+    rates_1_step(&self->rates, &SCHEDULE, elements);
+    if (elements[0]) {
         const float limit = parameters->speed_limit;
         self->wanted_speed = min_f32(max_f32(parameters->stiffness * (target - position), -limit),
             limit);
     }
-    self->countdown = saturating_sub_u8(self->countdown, 1U);
-    return pi_controller_step(&self->speed_loop, &parameters->speed, self->wanted_speed, speed);
+    return pid_pid_f32_step(&self->speed_loop, &parameters->speed, self->wanted_speed, speed);
 }
 
 /* position_servo.h */
@@ -33,14 +33,13 @@ typedef struct {
     /** Largest speed setpoint, 0 or more. Unit: rad/s. */
     float speed_limit;
     /** Parameters of the speed loop. */
-    pi_parameters_t speed;
+    pid_parameters_f32_t speed;
 } servo_parameters_t;
 
 /** Controls a position. */
 typedef struct {
-    pi_controller_t speed_loop;
+    pid_pid_f32_t speed_loop;
     /** Speed setpoint from the position loop. Unit: rad/s. */
     float wanted_speed;
-    /** Number of periods until the position loop is due. */
-    uint8_t countdown;
+    rates_1_t rates;
 } position_servo_t;

@@ -1,48 +1,33 @@
 /* The C of tests/corpus/src/programs/cookbook/rate_limiter.rs. Written by a test. */
 
-/* rate_limiter.c */
+/* setpoint.c */
 
-void rate_limiter_init(rate_limiter_t *self)
+void setpoint_init(setpoint_t *self)
 {
-    self->output = 0.0F;
+    rate_limiter_f32_init(&self->limiter);
+    self->is_closed = false;
 }
 
-float rate_limiter_step(rate_limiter_t *BESSEMER_RESTRICT self, const slew_limits_t *limits,
-    float target)
+float setpoint_step(setpoint_t *BESSEMER_RESTRICT self, const rate_limits_f32_t *limits,
+    bool closed, float target, float measured)
 {
-    const float highest = self->output + limits->rise * limits->period;
-    const float lowest = self->output - limits->fall * limits->period;
-    if (target > highest) {
-        self->output = highest;
-    } else if (target < lowest) {
-        self->output = lowest;
-    } else if (isfinite(target) != 0) {
-        self->output = target;
-    } else {
-        /* Nothing. */
+    const bool began = closed && !self->is_closed;
+    self->is_closed = closed;
+    if (began) {
+        rate_limiter_f32_preset(&self->limiter, measured);
     }
-    return self->output;
+    if (closed) {
+        return rate_limiter_f32_step(&self->limiter, limits, target);
+    } else {
+        return measured;
+    }
 }
 
-void rate_limiter_preset(rate_limiter_t *self, float output)
-{
-    self->output = output;
-}
+/* setpoint.h */
 
-/* rate_limiter.h */
-
-/** Largest rates of a setpoint. */
+/** Moves a setpoint to its target. */
 typedef struct {
-    /** Fastest rise, 0 or more. Unit: 1/s. */
-    float rise;
-    /** Fastest fall, 0 or more. Unit: 1/s. */
-    float fall;
-    /** Control period, above 0. Unit: s. */
-    float period;
-} slew_limits_t;
-
-/** Follows a setpoint at limited rates. */
-typedef struct {
-    /** Last output. */
-    float output;
-} rate_limiter_t;
+    rate_limiter_f32_t limiter;
+    /** True after the first period in which the loop is closed. */
+    bool is_closed;
+} setpoint_t;

@@ -1,54 +1,51 @@
-//! A debounced push button that reports edges: a level counts after a fixed number of equal samples in a row.
+//! A debounced push button that reports presses, short and long ones: the blocks `Debounce` and `Timer`.
 
 use bessemer::prelude::*;
+pub use bessemer_blocks::{Debounce, Timer};
 
 /// Number of equal samples for a change: 5 ms at 1 kHz, longer than the contacts of small buttons bounce.
-pub const STABLE_SAMPLES: u8 = 5;
+pub const STABLE_SAMPLES: u32 = 5;
+/// Number of samples for a long press: 800 ms.
+pub const LONG_SAMPLES: u32 = 800;
 
-/// Change of the debounced level at a sample.
+/// Event of a button at a sample.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum ButtonEdge {
-    /// The level did not change.
+pub enum ButtonEvent {
+    /// Nothing happened.
     #[default]
     Steady,
-    /// The button was pressed.
-    Pressed,
-    /// The button was released.
-    Released,
+    /// The button was released before the press was long.
+    Short,
+    /// The press became long.
+    Long,
 }
 
 /// A debounced push button.
 #[component]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PushButton {
-    /// The debounced state: true if the button is pressed.
-    pressed: bool,
-    /// Number of consecutive samples that differ from `pressed`; below `STABLE_SAMPLES`.
-    differing: u8,
+    contact: Debounce,
+    /// Time for which it is pressed.
+    held: Timer,
+    /// True if the press is long.
+    is_long: bool,
 }
 
 #[component]
 impl PushButton {
     /// Takes one sample of the pin; `closed` is true if the contact is closed.
     #[entry(infallible)]
-    pub fn sample(&mut self, closed: bool) -> ButtonEdge {
-        if closed == self.pressed {
-            self.differing = 0;
-            return ButtonEdge::Steady;
+    pub fn sample(&mut self, closed: bool) -> ButtonEvent {
+        let contact = self.contact.step(STABLE_SAMPLES, closed);
+        let was_long = self.is_long;
+        self.is_long = self.held.step(LONG_SAMPLES, contact.is_on);
+        if self.is_long && !was_long {
+            ButtonEvent::Long
+        } else if contact.fell && !was_long {
+            ButtonEvent::Short
+        } else {
+            ButtonEvent::Steady
         }
-        self.differing = self.differing.saturating_add(1);
-        if self.differing < STABLE_SAMPLES {
-            return ButtonEdge::Steady;
-        }
-        self.differing = 0;
-        self.pressed = closed;
-        if closed { ButtonEdge::Pressed } else { ButtonEdge::Released }
-    }
-
-    /// Returns true if it is pressed.
-    #[entry(infallible)]
-    pub fn is_pressed(&self) -> bool {
-        self.pressed
     }
 }

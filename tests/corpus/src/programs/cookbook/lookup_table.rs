@@ -1,15 +1,17 @@
 //! A lookup table with uneven breakpoints: the temperature of a thermistor from the counts of a 12-bit converter.
 //!
-//! The search and the interpolation are generic over the table's length; the table is a named constant in flash. A
+//! The block `Axis` searches, and the values between its points are linear. The table is a named constant in flash. A
 //! broken or shorted sensor gives no temperature rather than a wrong one.
 
 use bessemer::prelude::*;
+pub use bessemer_blocks::{Axis, Beyond, interpolated};
 
 /// Counts of the converter, ascending. The thermistor has 10 kΩ at 25 °C and B = 3950 K, and is between the pin and
 /// ground; 10 kΩ are between the pin and the reference.
 #[data]
-pub static NTC_COUNTS: [f32; 10] =
-    [160.2, 267.1, 461.7, 707.1, 1081.6, 1419.1, 1825.1, 2278.4, 2738.6, 3157.0];
+pub static NTC_COUNTS: Axis<f32, 10> = Axis {
+    points: [160.2, 267.1, 461.7, 707.1, 1081.6, 1419.1, 1825.1, 2278.4, 2738.6, 3157.0],
+};
 /// The temperature at each of these counts, °C.
 #[data]
 #[unit("°C")]
@@ -21,15 +23,6 @@ pub const SHORTED: u16 = 100;
 /// More counts than this are a broken wire.
 pub const BROKEN: u16 = 4000;
 
-/// The value at `place` on an ascending axis: linear between the breakpoints, constant beyond the ends.
-#[function]
-pub fn interpolated<const N: usize>(axis: &[f32; N], values: &[f32; N], place: f32) -> f32 {
-    let above = axis.partition_point(|point| *point <= place).clamp(1, N - 1);
-    let below = above - 1;
-    let share = (place - axis[below]) / (axis[above] - axis[below]);
-    values[below] + share.clamp(0.0, 1.0) * (values[above] - values[below])
-}
-
 /// The temperature, 0 to 120 °C; `None` if the sensor is broken or shorted.
 #[function]
 #[unit("°C")]
@@ -37,5 +30,5 @@ pub fn thermistor(counts: u16) -> Option<f32> {
     if counts < SHORTED || counts > BROKEN {
         return None;
     }
-    Some(interpolated(&NTC_COUNTS, &NTC_TEMPERATURES, f32::from(counts)))
+    Some(interpolated(&NTC_TEMPERATURES, NTC_COUNTS.place(f32::from(counts), Beyond::Hold)))
 }

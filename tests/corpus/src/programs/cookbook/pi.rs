@@ -1,39 +1,17 @@
-//! A PI controller with limits, anti-windup and bumpless transfer.
+//! A PI controller with limits, anti-windup and bumpless transfer: the block `Pid` without its derivative part.
 //!
 //! While the output is at a limit, the integral changes only in the direction away from it (conditional integration),
 //! so it never winds up. No input is a fault; a measurement that is NaN gives the lower limit and leaves the integral
 //! unchanged.
 
 use bessemer::prelude::*;
-
-/// Gains and limits of a speed loop.
-#[data]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PiParameters {
-    /// Proportional gain, 0 or more.
-    #[unit("V·s/rad")]
-    pub proportional: f32,
-    /// Integral gain, 0 or more.
-    #[unit("V/rad")]
-    pub integral: f32,
-    /// Control period, above 0.
-    #[unit("s")]
-    pub period: f32,
-    /// Lowest output.
-    #[unit("V")]
-    pub low: f32,
-    /// Highest output, not below the lowest.
-    #[unit("V")]
-    pub high: f32,
-}
+pub use bessemer_blocks::{Pid, PidParameters};
 
 /// Controls a speed.
 #[component]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PiController {
-    /// Integral part of the output.
-    #[unit("V")]
-    integral: f32,
+    pid: Pid<f32>,
 }
 
 #[component]
@@ -43,25 +21,22 @@ impl PiController {
     #[unit("V")]
     pub fn step(
         &mut self,
-        parameters: &PiParameters,
+        parameters: &PidParameters<f32>,
         #[unit("rad/s")] target: f32,
         #[unit("rad/s")] measured: f32,
     ) -> f32 {
-        let error = target - measured;
-        let integral = self.integral + parameters.integral * parameters.period * error;
-        let wanted = parameters.proportional * error + integral;
-        let output = wanted.max(parameters.low).min(parameters.high);
-        // Positive above the upper limit, negative below the lower one.
-        let beyond = wanted - output;
-        if beyond * error <= 0.0 {
-            self.integral = integral;
-        }
-        output
+        self.pid.step(parameters, target, measured)
     }
 
-    /// Takes over from manual control: the next step's output is `output` if the error is 0.
+    /// Takes over from manual control: the next step's output is `output` if target and measurement stay.
     #[entry(infallible)]
-    pub fn preset(&mut self, parameters: &PiParameters, #[unit("V")] output: f32) {
-        self.integral = output.max(parameters.low).min(parameters.high);
+    pub fn preset(
+        &mut self,
+        parameters: &PidParameters<f32>,
+        #[unit("rad/s")] target: f32,
+        #[unit("rad/s")] measured: f32,
+        #[unit("V")] output: f32,
+    ) {
+        self.pid.track(parameters, target, measured, output);
     }
 }

@@ -1,51 +1,35 @@
-//! A rate limiter: a setpoint that changes no faster than its follower can, with separate rates for rise and fall.
+//! A setpoint that changes no faster than its follower can: the block `RateLimiter`, which begins where that is.
+//! Rise and fall have separate rates.
 
 use bessemer::prelude::*;
+pub use bessemer_blocks::{RateLimiter, RateLimits};
 
-/// Largest rates of a setpoint.
-#[data]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SlewLimits {
-    /// Fastest rise, 0 or more.
-    #[unit("1/s")]
-    pub rise: f32,
-    /// Fastest fall, 0 or more.
-    #[unit("1/s")]
-    pub fall: f32,
-    /// Control period, above 0.
-    #[unit("s")]
-    pub period: f32,
-}
-
-/// Follows a setpoint at limited rates.
+/// Moves a setpoint to its target.
 #[component]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RateLimiter {
-    /// Last output.
-    output: f32,
+pub struct Setpoint {
+    limiter: RateLimiter<f32>,
+    /// True after the first period in which the loop is closed.
+    is_closed: bool,
 }
 
 #[component]
-impl RateLimiter {
-    /// One control period; returns the limited setpoint. It reaches the target exactly; a target that is NaN leaves
-    /// it unchanged.
+impl Setpoint {
+    /// One control period; returns the setpoint. It reaches the target exactly; a target that is NaN leaves it
+    /// unchanged. While the loop is open, the setpoint is the measurement.
     #[entry(infallible)]
-    pub fn step(&mut self, limits: &SlewLimits, target: f32) -> f32 {
-        let highest = self.output + limits.rise * limits.period;
-        let lowest = self.output - limits.fall * limits.period;
-        if target > highest {
-            self.output = highest;
-        } else if target < lowest {
-            self.output = lowest;
-        } else if target.is_finite() {
-            self.output = target;
+    pub fn step(
+        &mut self,
+        limits: &RateLimits<f32>,
+        closed: bool,
+        target: f32,
+        measured: f32,
+    ) -> f32 {
+        let began = closed && !self.is_closed;
+        self.is_closed = closed;
+        if began {
+            self.limiter.preset(measured);
         }
-        self.output
-    }
-
-    /// Starts at a value, such as the measurement when the loop is closed.
-    #[entry(infallible)]
-    pub fn preset(&mut self, output: f32) {
-        self.output = output;
+        if closed { self.limiter.step(limits, target) } else { measured }
     }
 }
