@@ -1,14 +1,16 @@
 //! `cargo bessemer sizes`: prints what each entry point adds to a firmware, on this machine or another one. Columns:
-//! instructions and constants, initialised and zeroed memory, stack, state.
+//! instructions and constants, initialised and zeroed memory, stack, state, executed instructions at most.
 //!
 //! The sizes of an entry point include its callees, so two entry points may share a part. Callees in the C library
-//! are not included. Stack and state are the bounds that `gen` reports; `verify --target` measures the used stack.
+//! are not included. Stack and state are the bounds that `gen` reports, and the executed instructions are those of the
+//! longest path ([`estimate`]), the same for each target; `verify --target` measures the used stack and the instructions.
 
 use std::fmt::Write as _;
 use std::path::Path;
 
 use bessemer_backend::c::EntryReport;
 use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::estimate;
 use bessemer_legs::process;
 use bessemer_legs::toolchain::{GCC, Sizes, Toolchain};
 use bessemer_project::{Wanted, compile};
@@ -59,6 +61,11 @@ pub fn run(folder: &Path, asked: &Asked, colour: bool) -> Result<String, Error> 
     // Before a build of a minute, the compilers that it would be in vain without.
     targets.iter().try_for_each(|(_, it)| bessemer_tools::check(&[it.compiler]))?;
     let (project, compiled) = compile(folder, wanted)?;
+    let estimates = estimate::estimates(&compiled.explicit);
+    let executed = |entry: &EntryReport| {
+        let cost = estimates.get(entry.function.index()).and_then(|it| it.cost);
+        cost.map_or_else(|| "no bound".to_owned(), |it| it.instructions.to_string())
+    };
     let mut text = String::new();
     for (index, (name, toolchain)) in targets.into_iter().enumerate() {
         let toolchain = toolchain.of(project.settings.options.standard);
@@ -67,7 +74,7 @@ pub fn run(folder: &Path, asked: &Asked, colour: bool) -> Result<String, Error> 
         // Writing to a string cannot fail.
         let _ = write!(
             text,
-            "{}on {name}, by {}; bytes:\n  {:width$}    text  data   bss  stack  state\n",
+            "{}on {name}, by {}; bytes:\n  {:width$}    text  data   bss  stack  state  executed\n",
             if index == 0 { "" } else { "\n" },
             toolchain.name(),
             "entry point"
@@ -76,8 +83,11 @@ pub fn run(folder: &Path, asked: &Asked, colour: bool) -> Result<String, Error> 
             let Sizes { text: code, data, bss } = sizes;
             let _ = writeln!(
                 text,
-                "  {:width$}  {code:>6}  {data:>4}  {bss:>4}  {:>5}  {:>5}",
-                entry.entry, entry.stack_bytes, entry.state_bytes
+                "  {:width$}  {code:>6}  {data:>4}  {bss:>4}  {:>5}  {:>5}  {:>8}",
+                entry.entry,
+                entry.stack_bytes,
+                entry.state_bytes,
+                executed(entry)
             );
         }
         let Sizes { text: code, data, bss } = measured.all;

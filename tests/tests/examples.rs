@@ -10,7 +10,7 @@ use bessemer_tests::toolchain::{self, Toolchain, run};
 use bessemer_tests::workspace::Workspace;
 use bessemer_tests::{flight_models, root, turn};
 use cargo_bessemer::args::{self, Verify};
-use cargo_bessemer::verify;
+use cargo_bessemer::{sizes, verify};
 use models::plant::Plant;
 use models::{Airframe, Controller, Estimate, Inputs, Onboard, Parameters, Settings, Target};
 
@@ -152,4 +152,16 @@ fn a_drive_in_single_precision_keeps_its_bits_and_its_limits() {
         verify::run(&package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
     assert!(agree && text.contains("200 calls"), "{text}");
     assert_eq!(bare, text.contains("\non cortex-m4f: "), "{text}");
+    // The estimate of the longest path is never below what was executed.
+    let sizes = sizes::run(&package, &args::Sizes::default(), false);
+    let sizes = sizes.unwrap_or_else(|error| panic!("{error}"));
+    let last = |text: &str, name: &str, from_end: usize| -> Option<u64> {
+        let row = text.lines().find(|line| line.trim_start().starts_with(name))?;
+        row.split_whitespace().rev().nth(from_end)?.parse().ok()
+    };
+    let estimated = last(&sizes, "drive_step", 0).unwrap_or_else(|| panic!("{sizes}"));
+    if bare {
+        let executed = last(&text, "Drive::step", 1).unwrap_or_else(|| panic!("{text}"));
+        assert!(executed <= estimated, "{executed}, {estimated}");
+    }
 }
