@@ -62,7 +62,13 @@ fn templates(package: &Package) -> impl Iterator<Item = Diagnostic> {
             .iter()
             .any(|it| (&it.file, it.tree.site) == (&template.file, template.site)),
     };
-    package.templates.iter().filter(is_own).filter(move |it| !is_made(it)).map(|it| {
+    // A generic type without an instance is reported itself, its methods are not.
+    let is_of_none = |template: &tree::Template| {
+        let is_it = |owner: &String| package.types.iter().any(|it| it.name == *owner);
+        template.owner.as_ref().is_some_and(|owner| !is_it(owner))
+    };
+    let is_missing = move |it: &&tree::Template| !is_made(it) && !is_of_none(it);
+    package.templates.iter().filter(is_own).filter(is_missing).map(|it| {
         let name = &it.name;
         let (message, help) = match it.kind {
             TemplateKind::Component => (
@@ -72,6 +78,10 @@ fn templates(package: &Package) -> impl Iterator<Item = Diagnostic> {
             TemplateKind::Data => (
                 format!("the type `{name}` is generic and has no instance: its methods are neither checked nor in the C"),
                 "use it with a concrete type in a marked function or type, or remove it".to_owned(),
+            ),
+            TemplateKind::Method if it.owner.is_some() => (
+                format!("no marked function calls `{name}`, a method of a generic type: it is neither checked nor in the C"),
+                "call it in a marked function, or remove it".to_owned(),
             ),
             TemplateKind::Function | TemplateKind::Method => (
                 format!("`{name}` is generic and no marked function calls it: it is neither checked nor in the C"),

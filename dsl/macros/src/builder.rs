@@ -137,10 +137,10 @@ pub fn method(
         .map(|name| companion(subject, &lower::companion_name(&name), (&called, &bounds), &parts));
     let bound = owner_bound(scope, &quote! { #owner });
     let callee = callee(&quote! { <#owner> }, &marker, scope, bound, name);
-    // A generic type without an instance is reported itself.
-    let register = match scope.own().is_generic() && !scope.outer().is_generic() {
-        true => place::template(name, &quote! { Method }),
-        false => register(name, &marker, scope),
+    let register = match (scope.outer().is_generic(), lower::last_ident(owner)) {
+        (true, Some(owner)) => place::generic_method(name, owner),
+        _ if scope.own().is_generic() => place::template(name, &quote! { Method }),
+        _ => register(name, &marker, scope),
     };
     let of_each =
         scope.outer().is_generic() && !scope.own().is_generic() && own.where_clause.is_none();

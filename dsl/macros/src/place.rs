@@ -37,9 +37,19 @@ pub fn registered(name: &syn::Ident, build: &TokenStream) -> TokenStream {
 
 /// Returns the item that registers a generic item, of which only instances become C.
 pub fn template(name: &syn::Ident, kind: &TokenStream) -> TokenStream {
+    template_of(name, kind, &quote! { ::core::option::Option::None })
+}
+
+/// Returns the item that registers a method of a generic type.
+pub fn generic_method(name: &syn::Ident, owner: &syn::Ident) -> TokenStream {
+    let owner = lower::text(owner);
+    template_of(name, &quote! { Method }, &quote! { ::core::option::Option::Some(#owner) })
+}
+
+fn template_of(name: &syn::Ident, kind: &TokenStream, owner: &TokenStream) -> TokenStream {
     let (named, site) = (named(name), site(name));
     let kind = quote! { ::bessemer::generate::tree::TemplateKind::#kind };
-    registered(name, &quote! { Other(|__cx| __cx.template(#kind, #named, #site)) })
+    registered(name, &quote! { Other(|__cx| __cx.template(#kind, #named, #site, #owner)) })
 }
 
 /// Returns a `bessemer::generate::Named`.

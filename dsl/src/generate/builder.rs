@@ -259,14 +259,21 @@ impl Builder {
         Ty::Named(path)
     }
 
-    /// Adds a generic item.
-    pub fn template(&mut self, kind: tree::TemplateKind, named: Named, site: (u32, u32)) {
+    /// Adds a generic item; `owner` is the generic type of which it is a method.
+    pub fn template(
+        &mut self,
+        kind: tree::TemplateKind,
+        named: Named,
+        site: (u32, u32),
+        owner: Option<&str>,
+    ) {
         self.package.templates.push(tree::Template {
             kind,
             module: named.module.to_owned(),
             name: named.name.to_owned(),
             file: named.file.to_owned(),
             site: Site(site.0, site.1),
+            owner: owner.map(str::to_owned),
         });
     }
 

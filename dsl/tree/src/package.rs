@@ -49,7 +49,7 @@ pub enum TemplateKind {
     Data,
     /// A free function.
     Function,
-    /// Method with parameters of its own.
+    /// Method with parameters of its own, or of a generic type.
     Method,
 }
 
@@ -66,6 +66,9 @@ pub struct Template {
     pub file: String,
     /// Site of the name.
     pub site: Site,
+    /// Name of the generic type of which it is a method.
+    #[serde(default)]
+    pub owner: Option<String>,
 }
 
 /// Implementation of a trait whose function is called without its name: `PartialEq` by `==`, also on types that
