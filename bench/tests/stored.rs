@@ -10,6 +10,7 @@ use bench::kernels::machine::{A9, HOST_V3};
 use bench::kernels::reasons::{Reasons, unsettled};
 use bench::kernels::results::Results;
 use bench::kernels::{plot, report, stored};
+use bessemer_codegen::estimate;
 use bench::{dsp, ekf, gradient, peers, qp};
 use serde_json::Value;
 
@@ -69,6 +70,13 @@ fn the_page_of_blocks_says_what_the_json_has() {
     let found = json["jobs"].as_array().expect("jobs").iter();
     let found: Vec<&str> = found.filter_map(|job| job["job"].as_str()).collect();
     assert_eq!(found, names, "dsp.json has other jobs");
+    // A count has the call of the function, too.
+    let call = estimate::Class::Call.cost().instructions;
+    for job in json["jobs"].as_array().expect("jobs") {
+        let (count, most) = (&job["instructions"]["emitted C"], &job["estimate"]);
+        let (count, most) = (count.as_u64().expect("a count"), most.as_u64().expect("a bound"));
+        assert!(count <= most + call, "{}: {count}, estimated {most}", job["job"]);
+    }
     let page = dsp::page::markdown(&json);
     if std::env::var_os("UPDATE_DOCS").is_some() {
         fs::write(file("dsp.md"), &page).expect("bench/results is there");

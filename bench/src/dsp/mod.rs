@@ -31,6 +31,8 @@ pub struct Row {
     pub job: &'static Job,
     /// Instructions of each contender that has the job.
     pub counts: BTreeMap<&'static str, u64>,
+    /// Estimate of the longest path of the emitted C; none if a loop has no known number of passes.
+    pub estimate: Option<u64>,
 }
 
 /// The measurement.
@@ -49,8 +51,12 @@ pub struct Found {
 pub fn measure(peers: Option<&Path>) -> Result<Found, String> {
     let folder = bessemer_tests::root().join("target/bench/dsp");
     std::fs::create_dir_all(&folder).map_err(|error| error.to_string())?;
-    let emitted = program::emitted(&folder)?;
-    let mut rows: Vec<Row> = JOBS.iter().map(|job| Row { job, counts: BTreeMap::new() }).collect();
+    let (emitted, estimates) = program::emitted(&folder)?;
+    let row = |job: &'static Job| {
+        let estimate = estimates.get(job.function).copied().flatten();
+        Row { job, counts: BTreeMap::new(), estimate }
+    };
+    let mut rows: Vec<Row> = JOBS.iter().map(row).collect();
     let mut references: BTreeMap<Machine, Run> = BTreeMap::new();
     for contender in CONTENDERS.iter().filter(|it| it.peer.is_none() || peers.is_some()) {
         let run = program::run(contender, &folder, &emitted, peers)?;
@@ -98,7 +104,7 @@ fn compare(contender: &Contender, run: &Run, reference: &Run) -> Result<(), Stri
 
 /// Formats the rows for machines.
 pub fn json(found: &Found) -> Value {
-    let row = |row: &Row| json!({ "job": row.job.name, "instructions": row.counts });
+    let row = |row: &Row| json!({ "job": row.job.name, "instructions": row.counts, "estimate": row.estimate });
     let mut versions = found.peers.clone();
     for (name, program) in
         [("arm-none-eabi-gcc", "Cortex-M4F"), ("arm-linux-gnueabihf-gcc", "Cortex-A9")]

@@ -1,8 +1,11 @@
 //! The programs of the contenders: how each is built and run.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use bessemer_codegen::estimate;
+use bessemer_ir::Owner;
 use bessemer_tests::toolchain::{self, Toolchain, run as execute};
 use bessemer_tests::watch;
 use bessemer_tests::workspace::Workspace;
@@ -117,11 +120,14 @@ pub struct Run {
     pub results: Vec<Vec<f32>>,
 }
 
-/// Emits the C of `bench/dsp/controllers.rs` into a folder; returns its sources.
+/// Instructions of each function on its longest path, by its name with its type.
+pub type Estimates = BTreeMap<String, Option<u64>>;
+
+/// Emits the C of `bench/dsp/controllers.rs` into a folder; returns its sources, and the estimates of its functions.
 ///
 /// # Errors
 /// The message of the generator or of the system.
-pub fn emitted(folder: &Path) -> Result<Vec<PathBuf>, String> {
+pub fn emitted(folder: &Path) -> Result<(Vec<PathBuf>, Estimates), String> {
     let failed = |error: std::io::Error| error.to_string();
     let workspace =
         Workspace::with_source(include_str!("../../dsp/controllers.rs")).map_err(failed)?;
@@ -143,7 +149,18 @@ pub fn emitted(folder: &Path) -> Result<Vec<PathBuf>, String> {
         std::fs::write(&path, &file.text).map_err(failed)?;
         sources.extend(file.name.ends_with(".c").then_some(path));
     }
-    Ok(sources)
+    let explicit = &compiled.explicit;
+    let found = explicit.functions.iter().zip(estimate::estimates(explicit));
+    let named = found.map(|(function, it)| {
+        let name = match function.owner {
+            Some(Owner::Struct(id)) => {
+                format!("{}::{}", explicit.structs[id.index()].name, function.name)
+            }
+            _ => function.name.clone(),
+        };
+        (name, it.cost.map(|cost| cost.instructions))
+    });
+    Ok((sources, named.collect()))
 }
 
 /// Builds and runs a contender.
