@@ -17,7 +17,7 @@ pub struct StatusNames {
     /// Function of the firmware that a fault calls.
     pub hook: Option<String>,
     prefix: String,
-    /// Macro in front of a loop of few passes; none in C without pragmas.
+    /// Macro in front of a loop of few passes, if it is written.
     pub few: Option<String>,
 }
 
@@ -39,9 +39,10 @@ pub const FAULTS: [Fault; 10] = [
 /// the loop's own.
 pub const FEW: u32 = 12;
 
-/// Returns the macro in front of a loop of few passes.
-pub fn few(options: &Options) -> String {
-    format!("{}_FEW_PASSES", identifier(&options.status).to_uppercase())
+/// Returns the macro in front of a loop of few passes; none in C without pragmas, and where loops stay as they are.
+pub fn few(options: &Options) -> Option<String> {
+    let is_written = options.pragmas && options.kernels.tiles();
+    is_written.then(|| format!("{}_FEW_PASSES", identifier(&options.status).to_uppercase()))
 }
 
 impl StatusNames {
@@ -50,7 +51,7 @@ impl StatusNames {
         let stem = identifier(&options.status);
         let prefix = format!("{}_STATUS", stem.to_uppercase());
         StatusNames {
-            few: options.pragmas.then(|| few(options)),
+            few: few(options),
             ty: format!("{stem}_status_t"),
             ok: format!("{prefix}_OK"),
             header: options.header(&format!("{stem}_status")),

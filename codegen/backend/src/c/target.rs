@@ -33,8 +33,7 @@ fn decided(options: &Options) -> String {
              _Static_assert(sizeof(double) == 8U, \"double needs 64 bits\");\n"
         );
     }
-    if options.pragmas {
-        let few = few(options);
+    if let Some(few) = few(options) {
         let _ = write!(
             text,
             "\n/* Has gcc write out the few passes of the loop behind it, unless the text is to be short (-Os). */\n\

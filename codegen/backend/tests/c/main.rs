@@ -209,6 +209,18 @@ fn without_pragmas_and_in_ascii() {
     }
 }
 
+/// gcc writes out loops of few passes, unless code must be small or loops are as the source has them.
+#[test]
+fn short_loops_stay_loops_where_code_must_be_small() {
+    let small = Tuning { code_bytes: 1023, ..Tuning::default() };
+    let plain = Tuning { mode: Mode::Plain, ..Tuning::default() };
+    for (kernels, expected) in [(Tuning::default(), true), (small, false), (plain, false)] {
+        let files = emit(&example("linear.ir"), &Options { kernels, ..Options::default() });
+        let is_found = files.iter().any(|file| file.text.contains("BESSEMER_FEW_PASSES"));
+        assert_eq!(is_found, expected, "{kernels:?}");
+    }
+}
+
 /// Names that some linkers take for one: those that are equal in their first 31 characters, and external.
 #[test]
 fn external_names_alike_are_found() {
