@@ -152,6 +152,22 @@ impl<const N: usize> Schedule<N> {
         heaviest
     }
 
+    /// Returns true if data flows from tasks to later ones, for an assertion at compile time.
+    ///
+    /// Each pair is a task and another that reads its results. The first one must be before the other in the author's order,
+    /// so that it runs before it in a step in which both are due, and its first run must not be later.
+    pub const fn flows(&self, pairs: &[[usize; 2]]) -> bool {
+        let mut k = 0;
+        while k < pairs.len() {
+            let [from, to] = pairs[k];
+            if from >= to || to >= N || self.tasks[from].phase > self.tasks[to].phase {
+                return false;
+            }
+            k += 1;
+        }
+        true
+    }
+
     const fn period(&self, task: usize) -> u64 {
         if self.tasks[task].period == 0 { 1 } else { self.tasks[task].period as u64 }
     }
@@ -176,7 +192,7 @@ const fn least_common_multiple(a: u64, b: u64) -> u64 {
 ///     Task { period: 1, phase: 0, cost: 40 },
 ///     Task { period: 3, phase: 1, cost: 50 },
 /// ] };
-/// const _: () = assert!(SCHEDULE.heaviest() <= 100);
+/// const _: () = assert!(SCHEDULE.heaviest() <= 100 && SCHEDULE.flows(&[[0, 1]]));
 ///
 /// let mut rates = Rates::<2>::default();
 /// let slow = [0; 6].map(|_| rates.step(&SCHEDULE)[1]);

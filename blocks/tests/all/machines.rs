@@ -96,14 +96,23 @@ proptest! {
         let schedule = Schedule { tasks: shapes.map(task) };
         let mut rates = Rates::<3>::default();
         let mut heaviest = 0;
+        // Runs of tasks, in the order in which they are executed.
+        let mut runs = Vec::new();
         for step in 0..840 {
             let due = rates.step(&schedule);
+            runs.extend((0..3).filter(|k| due[*k]));
             for (due, task) in due.iter().zip(&schedule.tasks) {
                 prop_assert_eq!(*due, step % task.period == task.phase);
             }
             heaviest = heaviest.max(due.iter().filter(|due| **due).count());
         }
         prop_assert_eq!(schedule.heaviest(), heaviest as u64);
+        let first = |task: usize| runs.iter().position(|run| *run == task);
+        for pair @ [from, to] in [[0, 1], [0, 2], [1, 2]] {
+            prop_assert_eq!(schedule.flows(&[pair]), first(from) < first(to));
+            prop_assert!(!schedule.flows(&[[to, from]]));
+        }
+        prop_assert!(schedule.flows(&[]) && !schedule.flows(&[[0, 3]]));
     }
 }
 
