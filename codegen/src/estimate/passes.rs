@@ -114,16 +114,24 @@ impl<'a> Known<'a> {
         limits.1 - limits.0 >= i128::from(u16::MAX)
     }
 
-    /// Returns the length of the shortest array that the counter itself indexes in each pass.
+    /// Returns the length of the shortest array, row or column that the counter itself indexes in each pass.
     fn length(&self, variable: LocalId, body: &Block) -> Option<u64> {
         let mut least: Option<u64> = None;
         let mut see = |place: &Place| {
             let mut ty = self.function.local(place.root).ty.clone();
             for step in &place.steps {
-                if let (Step::Index(index), Type::Array { len, .. }) = (step, &ty)
-                    && is_load_of(index, variable)
-                {
-                    let len = u64::from(*len);
+                let indexed = match (step, &ty) {
+                    (Step::Index(index), Type::Array { len, .. }) => vec![(index, *len)],
+                    (Step::Index(index), Type::Matrix { rows, cols, .. }) => {
+                        vec![(index, rows * cols)]
+                    }
+                    (Step::Element(row, column), Type::Matrix { rows, cols, .. }) => {
+                        vec![(row, *rows), (column, *cols)]
+                    }
+                    _ => Vec::new(),
+                };
+                for (_, len) in indexed.into_iter().filter(|it| is_load_of(it.0, variable)) {
+                    let len = u64::from(len);
                     least = Some(least.map_or(len, |it| it.min(len)));
                 }
                 match self.module.step_type(&ty, step) {
