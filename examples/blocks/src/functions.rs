@@ -186,3 +186,37 @@ impl Functions {
         blocks::goertzel(samples, cycles)
     }
 }
+
+/// `RealTimeIteration` of a pendulum on a cart: 4 states, 1 input and 1 output with limits over 8 periods, for 12 changes.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RealTimeIterationCost {
+    plan: blocks::RealTimeIteration<f32, 4, 1, 1, 8, 8, 16, 12>,
+}
+
+#[component]
+impl RealTimeIterationCost {
+    /// Plans.
+    #[entry(infallible)]
+    pub fn step(
+        &mut self,
+        horizon: &blocks::Horizon<f32, 4, 1, 1>,
+        state: &Vector4<f32>,
+        targets: &[Vector4<f32>; 8],
+    ) -> blocks::Receding<f32, 1> {
+        self.plan.step(horizon, state, targets, |state, push| {
+            let (sine, cosine) = state[1].sin_cos();
+            let rate = state[3] + 0.1 * (19.62 * sine - 2.0 * push[0] * cosine);
+            let speed = state[2] + 0.1 * push[0];
+            let slope = 0.1 * (19.62 * cosine + 2.0 * push[0] * sine);
+            let next = Vector4::new(state[0] + 0.1 * speed, state[1] + 0.1 * rate, speed, rate);
+            let mut by_state = Matrix4::identity();
+            by_state[(0, 2)] = 0.1;
+            by_state[(1, 1)] = 1.0 + 0.1 * slope;
+            by_state[(1, 3)] = 0.1;
+            by_state[(3, 1)] = slope;
+            let turned = -0.2 * cosine;
+            (next, by_state, Vector4::new(0.01, 0.1 * turned, 0.1, turned))
+        })
+    }
+}

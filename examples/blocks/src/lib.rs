@@ -68,3 +68,9 @@ pub type ActiveSetCost = blocks::ActiveSet<f32, 8, 16, 12>;
 /// `Admm` of 8 variables and 16 rows, of which 6 are two cones, for 20 iterations.
 #[component]
 pub type AdmmCost = blocks::Admm<f32, 8, 16, 2, 3, 20>;
+/// `RiccatiAdmm` of 6 states, 3 inputs in a cone and 8 periods, for 10 iterations.
+#[component]
+pub type RiccatiAdmmCost = blocks::RiccatiAdmm<f32, 6, 3, 8, 1, 3, 10>;
+/// `ErrorStateFilter`.
+#[component]
+pub type ErrorStateFilterCost = blocks::ErrorStateFilter<f32>;

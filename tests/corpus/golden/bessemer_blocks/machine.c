@@ -168,7 +168,7 @@ void rates_1_step(rates_1_t *BESSEMER_RESTRICT self, const schedule_1_t *schedul
  *    Task { period: 1, phase: 0, cost: 40 },
  *    Task { period: 3, phase: 1, cost: 50 },
  * ] };
- * const _: () = assert!(SCHEDULE.heaviest() <= 100);
+ * const _: () = assert!(SCHEDULE.heaviest() <= 100 && SCHEDULE.flows(&[[0, 1]]));
  *
  * let mut rates = Rates::<2>::default();
  * let slow = [0; 6].map(|_| rates.step(&SCHEDULE)[1]);
@@ -223,7 +223,7 @@ void rates_3_step(rates_3_t *BESSEMER_RESTRICT self, const schedule_3_t *schedul
  *    Task { period: 1, phase: 0, cost: 40 },
  *    Task { period: 3, phase: 1, cost: 50 },
  * ] };
- * const _: () = assert!(SCHEDULE.heaviest() <= 100);
+ * const _: () = assert!(SCHEDULE.heaviest() <= 100 && SCHEDULE.flows(&[[0, 1]]));
  *
  * let mut rates = Rates::<2>::default();
  * let slow = [0; 6].map(|_| rates.step(&SCHEDULE)[1]);
