@@ -10,8 +10,8 @@ use bench::kernels::machine::{A9, HOST_V3};
 use bench::kernels::reasons::{Reasons, unsettled};
 use bench::kernels::results::Results;
 use bench::kernels::{plot, report, stored};
-use bessemer_codegen::estimate;
 use bench::{dsp, ekf, gradient, peers, qp};
+use bessemer_codegen::estimate;
 use serde_json::Value;
 
 fn file(name: &str) -> PathBuf {

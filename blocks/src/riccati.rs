@@ -210,7 +210,8 @@ impl<
                 project::<T, U, C, D>(&mut inputs, &program.low, &program.high);
                 let states =
                     (state + self.state_remainders[k]).sup(&program.lowest).inf(&program.highest);
-                let changed = (inputs - self.inputs[k]).amax().max((states - self.states[k]).amax());
+                let changed =
+                    (inputs - self.inputs[k]).amax().max((states - self.states[k]).amax());
                 residual = residual.max(changed * weight);
                 input_gaps[k] = input - inputs;
                 state_gaps[k] = state - states;
@@ -224,13 +225,17 @@ impl<
 
         let mut size = measured.norm_squared();
         for k in 0..H {
-            size += self.input_remainders[k].norm_squared() + self.state_remainders[k].norm_squared();
+            size +=
+                self.input_remainders[k].norm_squared() + self.state_remainders[k].norm_squared();
             size += self.inputs[k].norm_squared() + self.states[k].norm_squared();
         }
         let is_empty = proves::<T, X, U, H, C, D>(program, measured, &input_gaps, &state_gaps);
         let outcome = if is_empty {
             Outcome::Infeasible
-        } else if size.is_finite() && violation <= program.tolerance && residual <= program.tolerance {
+        } else if size.is_finite()
+            && violation <= program.tolerance
+            && residual <= program.tolerance
+        {
             Outcome::Solved
         } else {
             Outcome::Unfinished

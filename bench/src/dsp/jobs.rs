@@ -34,8 +34,18 @@ const fn job(name: &'static str, function: &'static str, numbers: usize, goal: u
 pub const JOBS: &[Job] = &[
     Job { calls: 3, ..job("PID step", "Regulator::step", 1, 14) },
     Job { calls: 3, ..job("PID step, inlined in its caller", "Memory::advance", 1, 14) },
-    job("biquad cascade in direct form I, 4 sections, 64 samples", "DirectCascade::filter", 64, 3_000),
-    job("biquad cascade in transposed direct form II, 4 sections, 64 samples", "TransposedCascade::filter", 64, 2_800),
+    job(
+        "biquad cascade in direct form I, 4 sections, 64 samples",
+        "DirectCascade::filter",
+        64,
+        3_000,
+    ),
+    job(
+        "biquad cascade in transposed direct form II, 4 sections, 64 samples",
+        "TransposedCascade::filter",
+        64,
+        2_800,
+    ),
     job("FIR filter, 32 taps, 64 samples", "Fir::filter", 64, 5_000),
     job("Clarke's and Park's transforms", "clarke_park", 2, 9),
     job("Clarke's and Park's transforms, inlined in their caller", "transformed", 2, 9),
@@ -65,7 +75,10 @@ pub const JOBS: &[Job] = &[
     },
     Job { machine: Machine::A9, ..job("sine, on the A9", "sine", 1, 53) },
     Job { machine: Machine::A9, ..job("sine of `bessemer::fast`, on the A9", "sine_fast", 1, 33) },
-    Job { machine: Machine::A9, ..job("transforms with sine and cosine, on the A9", "clarke_park_at", 2, 115) },
+    Job {
+        machine: Machine::A9,
+        ..job("transforms with sine and cosine, on the A9", "clarke_park_at", 2, 115)
+    },
     Job {
         machine: Machine::A9,
         ..job("transforms with those of `bessemer::fast`, on the A9", "clarke_park_fast", 2, 66)

@@ -176,7 +176,8 @@ fn riccati_recursions_find_the_minimum_or_that_there_is_none() {
 fn no_other_outcome_of_a_recursion_counts_as_solved() {
     let one = SMatrix::<f64, 1, 1>::repeat(1.0);
     let last = one * (1.0 + 5_f64.sqrt());
-    let mut program = RiccatiProgram::new((&one, &one), (&one, &one), &last, 1.0, 1e-9).expect("definite");
+    let mut program =
+        RiccatiProgram::new((&one, &one), (&one, &one), &last, 1.0, 1e-9).expect("definite");
     let mut solver = RiccatiAdmm::<f64, 1, 1, 4, 0, 0, 2>::default();
     for (state, low, outcome) in [
         (0.0, -1.0, Outcome::Solved),

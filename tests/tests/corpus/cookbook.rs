@@ -3,9 +3,7 @@
 //! That their C has the same bits is the corpus' to show, as of any other program.
 
 use corpus::programs::cookbook::autopilot::{Autopilot, Flight, Imu};
-use corpus::programs::cookbook::debounce::{
-    ButtonEvent, LONG_SAMPLES, PushButton, STABLE_SAMPLES,
-};
+use corpus::programs::cookbook::debounce::{ButtonEvent, LONG_SAMPLES, PushButton, STABLE_SAMPLES};
 use corpus::programs::cookbook::lookup_table::{BROKEN, NTC_COUNTS, SHORTED, thermistor};
 use corpus::programs::cookbook::low_pass::{LowPass, butterworth};
 use corpus::programs::cookbook::navigation::{Inertial, Navigation, advanced};
