@@ -1,9 +1,11 @@
-//! Removes what the value and the Jacobians do not need, and makes the names of locals unique.
+//! Removes what the value and the Jacobians do not need, and makes the names of locals unique in their scopes.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use bessemer_ir::visit::{self, Access, Visit};
-use bessemer_ir::{Block, Expr, ExprKind, Function, LocalId, Place, Step, Stmt, StmtKind, Type};
+use bessemer_ir::{
+    Block, Expr, ExprKind, Function, Local, LocalId, Place, Step, Stmt, StmtKind, Type,
+};
 
 /// Removes assignments of locals that are never read, and branches and loops that then are empty; renames locals.
 pub fn clean(function: &mut Function) {
@@ -17,25 +19,40 @@ pub fn clean(function: &mut Function) {
     name(function);
 }
 
-/// Gives each local a name that is a name in Rust, and its own.
+/// Gives each local a name of Rust that no other local in its scope has. Locals of blocks beside each other may share one.
 fn name(function: &mut Function) {
-    let mut used: BTreeSet<String> = BTreeSet::new();
-    let mut counts: BTreeMap<String, u32> = BTreeMap::new();
-    for (index, local) in function.locals.iter_mut().enumerate() {
-        let base = if index < function.params as usize {
-            local.name.clone()
-        } else {
-            crate::rust::identifier(&local.name)
-        };
-        let mut name = base.clone();
-        while used.contains(&name) {
-            let count = counts.entry(base.clone()).or_insert(1);
-            *count += 1;
-            name = format!("{base}_{count}");
+    let parameters = function.locals.iter().take(function.params as usize);
+    let used = parameters.map(|it| it.name.clone()).collect();
+    name_block(&function.body, &mut function.locals, used);
+}
+
+fn name_block(block: &Block, locals: &mut [Local], mut used: BTreeSet<String>) {
+    for Stmt { kind, .. } in &block.0 {
+        match kind {
+            StmtKind::Let { local, .. } => name_local(&mut locals[local.index()], &mut used),
+            StmtKind::For { variable, body, .. } => {
+                let mut inside = used.clone();
+                name_local(&mut locals[variable.index()], &mut inside);
+                name_block(body, locals, inside);
+            }
+            StmtKind::If { then, otherwise, .. } => {
+                name_block(then, locals, used.clone());
+                name_block(otherwise, locals, used.clone());
+            }
+            StmtKind::Match { arms, otherwise, .. } => {
+                let arms = arms.iter().map(|arm| &arm.body);
+                arms.chain(otherwise).for_each(|it| name_block(it, locals, used.clone()));
+            }
+            _ => {}
         }
-        used.insert(name.clone());
-        local.name = name;
     }
+}
+
+fn name_local(local: &mut Local, used: &mut BTreeSet<String>) {
+    let base = crate::rust::identifier(&local.name);
+    let numbered = (2_u32..).map(|count| format!("{base}_{count}"));
+    let mut names = std::iter::once(base.clone()).chain(numbered);
+    local.name = names.find(|name| used.insert(name.clone())).unwrap_or(base);
 }
 
 /// Locals that are read, and those that calls change.

@@ -286,16 +286,7 @@ impl Run<'_> {
     ) -> Result<()> {
         let mut leaves = Leaves::default();
         blocks.iter().for_each(|block| leaves.block(block));
-        // The statements behind the branch, where its sides meet again.
-        let meeting: Rest<'_> = if leaves.returns {
-            None
-        } else if leaves.breaks {
-            target(Leave::Break, Some(tail))
-        } else if leaves.continues {
-            target(Leave::Continue, Some(tail))
-        } else {
-            Some(tail)
-        };
+        let meeting = meeting(leaves, tail);
         let name = self.name.clone();
         let branch = Branch { condition, locals: self.locals.len(), span };
         let mut sides = Vec::new();
@@ -317,6 +308,39 @@ impl Run<'_> {
             return Ok(());
         }
         self.go_on(frame, env, meeting, stop)
+    }
+}
+
+/// Returns the node behind a branch where all its sides meet; none for the end of the function. Statements before that node
+/// may lead further.
+fn meeting<'n>(mut leaves: Leaves, tail: &'n Node<'n>) -> Rest<'n> {
+    loop {
+        let meeting: Rest<'_> = if leaves.returns {
+            None
+        } else if leaves.breaks {
+            target(Leave::Break, Some(tail))
+        } else if leaves.continues {
+            target(Leave::Continue, Some(tail))
+        } else {
+            Some(tail)
+        };
+        let before = (leaves.returns, leaves.breaks);
+        let mut next = Some(tail).filter(|_| meeting.is_some());
+        while let Some(node) = next.filter(|node| node.depth > depth(meeting)) {
+            match node.what {
+                What::Stmts(stmts) => stmts.iter().for_each(|stmt| leaves.stmt(stmt)),
+                What::Pass(unrolled, _) => {
+                    let mut inner = Leaves { loops: 1, ..Leaves::default() };
+                    inner.block(unrolled.body);
+                    leaves.returns |= inner.returns;
+                }
+                What::End(_) => {}
+            }
+            next = node.next;
+        }
+        if (leaves.returns, leaves.breaks) == before {
+            return meeting;
+        }
     }
 }
 

@@ -24,29 +24,29 @@ impl Run<'_> {
         let (mut whole, mut words) = (Vec::new(), Vec::new());
         for (value, ty) in operands {
             let value = self.held(value, &name);
-            whole.push(self.whole_value(value.clone(), &ty));
-            words.push(value.words(self.module));
+            let numbers = value.clone().words(self.module);
+            whole.push(match self.backwards {
+                true => self.aggregate(&ty, numbers.iter().map(|word| word.value.clone())),
+                false => self.whole_value(value, &ty),
+            });
+            words.push(numbers);
         }
         let [first, rest @ ..] = words.as_slice() else {
             return Err(Problem::new(expr.span, "this routine has no operand", "report it"));
         };
         let kind = ExprKind::Routine(routine, whole);
         let value = self.bind(&name, Expr { kind, ty: expr.ty.clone(), span: expr.span });
-        let equal =
-            |value: &Expr, it: &Expr| Expr::compare(CompareOp::Eq, value.clone(), it.clone());
         if expr.ty.is_word() {
-            // The first element with that magnitude.
-            let mut sides = Vec::new();
-            for word in first {
-                let opposite = Expr::unary(UnaryOp::Neg, word.value.clone());
-                sides.push((equal(&value, &word.value), word.tangents.clone()));
-                sides.push((equal(&value, &opposite), negative(&word.tangents)));
-            }
-            let (_, last) = sides.pop().unwrap_or((value.clone(), Tangents::new()));
-            let tangents = self.by_cases(&value, sides, last);
+            let tangents = match self.backwards {
+                true => Tangents::new(),
+                false => self.of_magnitude(&value, first),
+            };
             return Ok(Value::Leaf(Word { value, tangents }));
         }
         let ExprKind::Load(place) = &value.kind else { return Ok(Value::Parts(Vec::new())) };
+        if self.backwards {
+            return Ok(Value::at(place.clone()));
+        }
         let place: Place = place.clone();
         let mut elements = Vec::new();
         for (at, (step, ty)) in parts(self.module, &expr.ty, expr.span).into_iter().enumerate() {
@@ -56,10 +56,31 @@ impl Run<'_> {
                 Some(other) => other.tangents.clone(),
                 None => negative(&one.tangents),
             };
-            let sides = vec![(equal(&element, &one.value), one.tangents.clone())];
-            let tangents = self.by_cases(&element, sides, other);
+            let tangents = self.of_element(&element, one, other);
             elements.push(Value::Leaf(Word { value: element, tangents }));
         }
         Ok(Value::Parts(elements))
     }
+
+    /// Returns the derivatives of the magnitude of one of these numbers: of the first with that magnitude.
+    pub fn of_magnitude(&mut self, value: &Expr, numbers: &[Word]) -> Tangents {
+        let mut sides = Vec::new();
+        for word in numbers {
+            let opposite = Expr::unary(UnaryOp::Neg, word.value.clone());
+            sides.push((equal(value, &word.value), word.tangents.clone()));
+            sides.push((equal(value, &opposite), negative(&word.tangents)));
+        }
+        let (_, last) = sides.pop().unwrap_or((value.clone(), Tangents::new()));
+        self.by_cases(value, sides, last)
+    }
+
+    /// Returns the derivatives of a number that is `one` or another one.
+    pub fn of_element(&mut self, value: &Expr, one: &Word, other: Tangents) -> Tangents {
+        let sides = vec![(equal(value, &one.value), one.tangents.clone())];
+        self.by_cases(value, sides, other)
+    }
+}
+
+fn equal(value: &Expr, it: &Expr) -> Expr {
+    Expr::compare(CompareOp::Eq, value.clone(), it.clone())
 }

@@ -154,7 +154,7 @@ fn check(module: &Module, request: &Request) -> Result<()> {
         let Some((_, cols)) = variables(module, &parameter.ty).filter(|it| it.0 == float) else {
             return Err(Problem::new(
                 into.span,
-                format!("`{}` is not a {}, and has no derivative", parameter.name, float.name()),
+                format!("`{}` is no {}, and has no derivative", parameter.name, float.name()),
                 "name parameters that are floats, vectors, matrices or structs of them",
             ));
         };

@@ -38,7 +38,8 @@ impl Run<'_> {
         let plain = |(value, ty)| Ok((self.plain(value, expr.span)?, ty));
         let operands = operands.into_iter().map(plain).collect::<Result<Vec<_>>>()?;
         let active = operands.iter().any(|(value, _)| value.is_active());
-        if active && EXTREMES.contains(&routine) {
+        let chooses = EXTREMES.contains(&routine);
+        if chooses && (active || self.backwards && routine != Routine::Abs) {
             return self.extreme(routine, operands, expr);
         }
         if routine == Routine::Transpose || active || self.backwards {
@@ -140,13 +141,6 @@ impl Run<'_> {
                     Word::constant(value)
                 });
                 each.collect()
-            }
-            Routine::Amax | Routine::Amin | Routine::Inf | Routine::Sup if self.backwards => {
-                return Err(Problem::new(
-                    span,
-                    "the extreme of a matrix has no gradient",
-                    "compare its elements in a loop",
-                ));
             }
             Routine::Inf | Routine::Sup | Routine::Amax | Routine::Amin => {
                 return Err(Problem::new(

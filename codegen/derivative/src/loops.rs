@@ -1,4 +1,6 @@
 //! Loops that stay loops: what their passes assign is in variables, whose derivatives are found by passes on trial.
+//!
+//! Invariant: a pass on trial that finds no variable more is the pass that is written.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -86,7 +88,6 @@ impl Run<'_> {
             Type::Scalar(scalar) => Type::Scalar(scalar),
             _ => Type::Scalar(Scalar::Int(Int::Usize)),
         };
-        // On trial, until no pass finds a variable more.
         let mut known: Vec<Vec<BTreeSet<u32>>> = locals.iter().map(|_| Vec::new()).collect();
         for (local, known) in locals.iter().zip(&mut known) {
             let words = env.locals[local].clone().words(self.module);
@@ -94,27 +95,31 @@ impl Run<'_> {
                 words.iter().map(|word| word.tangents.keys().copied().collect::<BTreeSet<u32>>()),
             );
         }
-        loop {
+        // A pass on trial may find a variable more. The loops in it begin with the variables that they were found to have before,
+        // so the number of passes grows with the variables, and not with the depth of loops.
+        let Trial { known: before, mut inner } = self.trials.begin();
+        grow(&mut known, before);
+        let (firsts, counter, block) = loop {
             let kept = self.locals.len();
-            let mut inner = env.clone();
-            let (_, found) = self.captured(|run| {
-                let carried = run.carried(frame, &mut inner, &locals, &known, span)?;
-                run.passed(frame, &mut inner, (*variable, &int), body, &carried, span)
-            })?;
+            let mut outer = env.clone();
+            let around = self.trials.enter(inner);
+            let written = self.captured(|run| {
+                let carried = run.carried(frame, &mut outer, &locals, &known, span)?;
+                let firsts = std::mem::take(&mut run.out);
+                let mut within = outer.clone();
+                let of = (*variable, &int);
+                Ok((firsts, run.passed(frame, &mut within, of, body, &carried, span)?))
+            });
+            inner = self.trials.leave(around);
+            let (block, (firsts, (counter, found))) = written?;
+            if !grow(&mut known, found) {
+                *env = outer;
+                break (firsts, counter, block);
+            }
             self.locals.truncate(kept);
-            let before = known.clone();
-            for (known, found) in known.iter_mut().flatten().zip(found.1) {
-                known.extend(found);
-            }
-            if known == before {
-                break;
-            }
-        }
-        let carried = self.carried(frame, env, &locals, &known, span)?;
-        let mut inner = env.clone();
-        let (block, (counter, _)) = self.captured(|run| {
-            run.passed(frame, &mut inner, (*variable, &int), body, &carried, span)
-        })?;
+        };
+        self.trials.end(Trial { known: known.into_iter().flatten().collect(), inner });
+        self.out.extend(firsts);
         self.emit(
             StmtKind::For {
                 variable: counter,
@@ -274,6 +279,57 @@ impl Run<'_> {
         self.found.iter_mut().zip(found).for_each(|(all, more)| all.extend(more));
         Ok(())
     }
+}
+
+/// Variables that loops were found to have, in the order in which a pass reaches the loops.
+#[derive(Debug, Default)]
+pub struct Trials {
+    of: Vec<Trial>,
+    at: usize,
+}
+
+/// Variables that a loop was found to have, by carried word, and those of the loops in it.
+#[derive(Clone, Debug, Default)]
+struct Trial {
+    known: Vec<BTreeSet<u32>>,
+    inner: Vec<Trial>,
+}
+
+impl Trials {
+    /// Returns what is known of the loop that the pass reaches now.
+    fn begin(&mut self) -> Trial {
+        self.of.get(self.at).cloned().unwrap_or_default()
+    }
+
+    /// Stores what is known of that loop. The pass goes on to the next.
+    fn end(&mut self, trial: Trial) {
+        match self.of.get_mut(self.at) {
+            Some(place) => *place = trial,
+            None => self.of.push(trial),
+        }
+        self.at += 1;
+    }
+
+    /// Begins a pass of a loop, of whose loops this is known. Returns the state of the pass around it.
+    fn enter(&mut self, inner: Vec<Trial>) -> Trials {
+        std::mem::replace(self, Trials { of: inner, at: 0 })
+    }
+
+    /// Ends a pass of a loop; returns what is known of the loops in it.
+    fn leave(&mut self, around: Trials) -> Vec<Trial> {
+        std::mem::replace(self, around).of
+    }
+}
+
+/// Adds variables of words; returns true if one is new.
+fn grow(known: &mut [Vec<BTreeSet<u32>>], more: Vec<BTreeSet<u32>>) -> bool {
+    let mut grown = false;
+    for (known, more) in known.iter_mut().flatten().zip(more) {
+        let before = known.len();
+        known.extend(more);
+        grown |= known.len() > before;
+    }
+    grown
 }
 
 /// Roots of the places that a block assigns, and its declarations.

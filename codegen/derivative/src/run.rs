@@ -45,9 +45,11 @@ pub struct Run<'m> {
     /// Locals of the derivative.
     pub locals: Vec<Local>,
     /// Statements of the current block.
-    out: Vec<Stmt>,
+    pub out: Vec<Stmt>,
     /// Variables of each word that the loop around carries, as its passes assigned them.
     pub found: Vec<BTreeSet<u32>>,
+    /// Variables of loops, as passes on trial found them.
+    pub trials: crate::loops::Trials,
     /// Number of evaluated statements.
     pub steps: u32,
     /// Number of comparisons around: their operands need no derivatives.
@@ -75,6 +77,7 @@ impl<'m> Run<'m> {
             locals,
             out: Vec::new(),
             found: Vec::new(),
+            trials: crate::loops::Trials::default(),
             steps: 0,
             compared: 0,
             name: String::new(),

@@ -23,8 +23,8 @@ use crate::{Problem, Result, float, fold};
 const FACTORS: &str = "bessemer::linear::factored::lu";
 
 /// Part of a matrix that a kernel reads.
-#[derive(Clone, Copy)]
-enum Read {
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Read {
     Whole,
     /// The lower triangle, mirrored.
     Symmetric,
@@ -54,14 +54,34 @@ struct Solution {
     factors: Option<Value>,
 }
 
+impl Read {
+    /// Returns the part that a solution reads.
+    pub fn of(routine: KernelRoutine) -> Read {
+        match routine {
+            KernelRoutine::CholeskySolve => Read::Symmetric,
+            KernelRoutine::SolveLower | KernelRoutine::TrSolveLower => Read::Lower,
+            KernelRoutine::SolveUpper | KernelRoutine::TrSolveUpper => Read::Upper,
+            _ => Read::Whole,
+        }
+    }
+
+    /// Returns true if the part contains an element.
+    pub fn has(self, row: usize, col: usize) -> bool {
+        match self {
+            Read::Whole => true,
+            Read::Symmetric | Read::Lower => row >= col,
+            Read::Upper => row <= col,
+        }
+    }
+}
+
 impl System {
     /// Returns an element; none if the kernel does not read it.
     fn at(&self, row: usize, col: usize) -> Option<&Word> {
         let (row, col) = if self.is_transposed { (col, row) } else { (row, col) };
         let (row, col) = match self.read {
             Read::Symmetric => (row.max(col), row.min(col)),
-            Read::Lower if row < col => return None,
-            Read::Upper if row > col => return None,
+            read if !read.has(row, col) => return None,
             _ => (row, col),
         };
         self.words.get(row + col * self.size)
@@ -258,13 +278,10 @@ impl Run<'_> {
             Some(solve) => self.kernel_function(solve),
             None => kernel,
         };
-        let read = match routine {
-            Some(CholeskySolve) if !is_factor && a.value.is_active() => return Err(unknown(span)),
-            Some(CholeskySolve) => Read::Symmetric,
-            Some(SolveLower | TrSolveLower) => Read::Lower,
-            Some(SolveUpper | TrSolveUpper) => Read::Upper,
-            _ => Read::Whole,
-        };
+        if routine == Some(CholeskySolve) && !is_factor && a.value.is_active() {
+            return Err(unknown(span));
+        }
+        let read = routine.map_or(Read::Whole, Read::of);
         let whole = match (&a.value, routine) {
             (Value::Factor(Factor { value: Some(place), .. }), Some(CholeskySolve)) => place.load(),
             (Value::Factor(_), _) => {
@@ -523,7 +540,7 @@ impl Run<'_> {
 }
 
 /// Returns the kernel of a routine with a square matrix for a right-hand side.
-fn kernel_of(routine: KernelRoutine, right: &Type) -> Option<Kernel> {
+pub fn kernel_of(routine: KernelRoutine, right: &Type) -> Option<Kernel> {
     let Type::Matrix { element: Scalar::Float(element), rows, cols } = *right else { return None };
     Kernel::new(routine, element, &[rows, cols])
 }

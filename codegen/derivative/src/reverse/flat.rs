@@ -174,6 +174,16 @@ impl Run<'_> {
             ExprKind::Struct(all) => ExprKind::Struct(parts(self, all, active)),
             ExprKind::Array(all) => ExprKind::Array(parts(self, all, active)),
             ExprKind::Matrix(all) => ExprKind::Matrix(parts(self, all, active)),
+            // An extreme of matrices, whose elements are compared with it.
+            ExprKind::Routine(routine, operands) => {
+                let flat = |operand: Expr| {
+                    let all = self.elements_of(&operand);
+                    let all = parts(self, all, active);
+                    let all = all.into_iter().map(|it| self.needed(it, active)).collect();
+                    Expr { kind: ExprKind::Matrix(all), ty: operand.ty, span: operand.span }
+                };
+                ExprKind::Routine(routine, operands.into_iter().map(flat).collect())
+            }
             other => other,
         };
         let expr = Expr { kind, ty, span };

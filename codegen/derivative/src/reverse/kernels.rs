@@ -11,6 +11,7 @@ use bessemer_ir::{
 
 use super::{Back, Bars};
 use crate::run::Run;
+use crate::solve::{Read, kernel_of};
 use crate::value::Value;
 use crate::{Problem, Result, float, fold};
 
@@ -20,6 +21,9 @@ struct Solved {
     solution: Place,
     right: Place,
     size: usize,
+    read: Read,
+    /// True if the transpose of the matrix is solved.
+    is_transposed: bool,
 }
 
 impl Run<'_> {
@@ -35,12 +39,30 @@ impl Run<'_> {
         use KernelRoutine::*;
         let routine = self.function_of(callee).kernel.as_ref().map(|it| it.routine);
         match (routine, arguments, own) {
-            (Some(Solve | CholeskySolve), [Argument::Ref(a), Argument::RefMut(x)], _) => {
+            (
+                Some(
+                    routine @ (Solve | CholeskySolve | SolveLower | SolveUpper | TrSolveLower
+                    | TrSolveUpper),
+                ),
+                [Argument::Ref(a), Argument::RefMut(x)],
+                _,
+            ) => {
                 let Some(right) = self.taken(bars, x) else { return Ok(()) };
-                let is_symmetric = routine == Some(CholeskySolve);
-                if is_symmetric {
+                let transposed = match routine {
+                    SolveLower => Some(TrSolveLower),
+                    SolveUpper => Some(TrSolveUpper),
+                    TrSolveLower => Some(SolveLower),
+                    TrSolveUpper => Some(SolveUpper),
+                    _ => None,
+                };
+                if routine == CholeskySolve {
                     let arguments = vec![Argument::Ref(a.clone()), Argument::RefMut(right.clone())];
                     self.ignored(callee, arguments, span);
+                } else if let Some(kernel) = transposed.and_then(|it| kernel_of(it, &right.ty)) {
+                    let kernel = self.kernel_function(kernel);
+                    let arguments = vec![Argument::Ref(a.clone()), Argument::RefMut(right.clone())];
+                    let solved = self.call_here(kernel, arguments, span);
+                    self.unless(solved, &right, span);
                 } else {
                     let kind = ExprKind::Routine(Routine::Transpose, vec![a.clone()]);
                     let turned = Expr { kind, ..a.clone() };
@@ -52,8 +74,10 @@ impl Run<'_> {
                 if let ExprKind::Load(matrix) = &a.kind {
                     let size = crate::solve::rows(&a.ty);
                     let (matrix, solution) = (matrix.clone(), x.clone());
-                    let solved = Solved { matrix, solution, right, size };
-                    self.matrix_bar(back, bars, &solved, is_symmetric);
+                    let is_transposed = matches!(routine, TrSolveLower | TrSolveUpper);
+                    let read = Read::of(routine);
+                    let solved = Solved { matrix, solution, right, size, read, is_transposed };
+                    self.matrix_bar(back, bars, &solved);
                 }
                 Ok(())
             }
@@ -150,13 +174,14 @@ impl Run<'_> {
         self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
     }
 
-    /// Adds −s xᵀ to the bars of a matrix.
-    fn matrix_bar(&mut self, back: &Back, bars: &mut Bars, of: &Solved, is_symmetric: bool) {
+    /// Adds −s xᵀ to the bars of the part of a matrix that its solution reads; of a transposed one, −x sᵀ.
+    fn matrix_bar(&mut self, back: &Back, bars: &mut Bars, of: &Solved) {
         let words = |place: &Place| Value::Place(place.clone()).words(self.module);
         let (x, s) = (words(&of.solution), words(&of.right));
         let elements = words(&of.matrix);
         let size = of.size;
         let product = |row: usize, col: usize| {
+            let (row, col) = if of.is_transposed { (col, row) } else { (row, col) };
             let columns = 0..x.len() / size;
             let term = |column: usize| {
                 let (s, x) = (&s[row + column * size], &x[col + column * size]);
@@ -166,11 +191,11 @@ impl Run<'_> {
         };
         for (at, element) in elements.iter().enumerate() {
             let (row, col) = (at % size, at / size);
-            if is_symmetric && row < col {
+            if !of.read.has(row, col) {
                 continue;
             }
             let mut bar = product(row, col);
-            if is_symmetric && row > col {
+            if of.read == Read::Symmetric && row > col {
                 bar = bar.zip(product(col, row)).map(|(a, b)| Expr::binary(BinaryOp::Add, a, b));
             }
             if let (Some(bar), ExprKind::Load(place)) = (bar, &element.value.kind) {

@@ -22,8 +22,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::visit::{self, Access, Visit};
 use bessemer_ir::{
-    BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, Span, Step, Stmt, StmtKind, Type,
-    UnaryOp,
+    BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, Routine, Span, Step, Stmt,
+    StmtKind, Type, UnaryOp,
 };
 
 use crate::expression::literal;
@@ -46,6 +46,8 @@ struct Back {
     arrays: BTreeMap<LocalId, Place>,
     /// Variables of which each pass of a loop reads other parts than the others, once.
     once: BTreeSet<LocalId>,
+    /// Words with a bar that one pass of a loop hands to the next, as found so far, by the loop's counter.
+    carried: BTreeMap<LocalId, BTreeSet<Key>>,
 }
 
 impl Run<'_> {
@@ -77,7 +79,9 @@ impl Run<'_> {
         let mut active = Active::of(&forwards, variables.clone());
         let forwards = self.flat(forwards, &mut active)?;
         let active = Active::of(&forwards, variables);
-        let mut back = Back { active, arrays: BTreeMap::new(), once: once::parts(&forwards) };
+        let once = once::parts(&forwards);
+        let (arrays, carried) = (BTreeMap::new(), BTreeMap::new());
+        let mut back = Back { active, arrays, once, carried };
         let (backwards, gradients) = self.captured(|run| {
             let mut unknown = Unknown::default();
             unknown.block(&forwards);
@@ -232,6 +236,11 @@ impl Run<'_> {
                 (None, None) => None,
             };
             each.push(bar.map(|it| self.atom(it, &name)));
+        }
+        if let ExprKind::Routine(Routine::Inf | Routine::Sup, operands) = &value.kind
+            && let [one, other] = operands.as_slice()
+        {
+            return self.elements_backwards(back, bars, place, [one, other], each);
         }
         let own = Some(place.load()).filter(|_| place.steps.is_empty() && value.ty.is_word());
         self.push_all(back, bars, value, each, own.as_ref())
@@ -399,40 +408,35 @@ impl Run<'_> {
         };
         let mut assigned = Assigned::default();
         assigned.block(body);
-        // The words with a bar that one pass hands to the next. Passes on trial find them.
+        // The words with a bar that one pass hands to the next.
         let mut carried: BTreeSet<Key> =
             bars.keys().filter(|key| assigned.written.contains(&key.0)).copied().collect();
         if carried.is_empty() {
             return Ok(());
         }
-        loop {
+        carried.extend(back.carried.get(variable).into_iter().flatten());
+        // A pass on trial may hand on more. The loops in it begin with the words that they were found to hand on before, so the
+        // number of passes grows with the words, and not with the depth of loops.
+        let (mut pass, places, sums) = loop {
             let kept = self.locals.len();
-            let mut own = self.bars_of(&carried, span).0;
-            self.captured(|run| run.block_backwards(back, &mut own, body))?;
+            let (mut own, places) = self.bars_of(&carried, span);
+            let (pass, sums) = self.captured(|run| {
+                run.block_backwards(back, &mut own, body)?;
+                let written = |key: &&Key| assigned.written.contains(&key.0);
+                let found = own.keys().filter(written).copied();
+                let before = carried.len();
+                carried.extend(found);
+                Ok(match carried.len() == before {
+                    true => Some(run.pass_end(&own, &places, span)),
+                    false => None,
+                })
+            })?;
+            if let Some(sums) = sums {
+                break (pass, places, sums);
+            }
             self.locals.truncate(kept);
-            let before = carried.len();
-            carried.extend(own.keys().filter(|key| assigned.written.contains(&key.0)));
-            if carried.len() == before {
-                break;
-            }
-        }
-        let (mut own, places) = self.bars_of(&carried, span);
-        let mut sums: Vec<(Key, Place)> = Vec::new();
-        let (mut pass, ()) = self.captured(|run| {
-            run.block_backwards(back, &mut own, body)?;
-            for (key, bar) in &own {
-                if !carried.contains(key) {
-                    let name = format!("{}_bar", run.locals[key.0.index()].name);
-                    let local = run.declare(&name, &bar.ty, span);
-                    let place = Place::local(local, bar.ty.clone(), span);
-                    let value = sum(place.load(), bar.clone());
-                    run.emit(StmtKind::Assign { place: place.clone(), value }, span);
-                    sums.push((*key, place));
-                }
-            }
-            run.next_bars(&own, &places, span);
-            Ok(())
-        })?;
+        };
+        back.carried.insert(*variable, carried);
         for (key, place) in places.iter().chain(&sums) {
             let first = bars.remove(key).unwrap_or(float(0.0, &place.ty, span));
             self.emit(StmtKind::Let { local: place.root, value: Some(first) }, span);
@@ -458,6 +462,24 @@ impl Run<'_> {
         self.emit(kind, span);
         bars.extend(places.into_iter().chain(sums).map(|(key, place)| (key, place.load())));
         Ok(())
+    }
+
+    /// Ends a pass: assigns the bars for the pass before, and adds the others to sums, which are returned.
+    fn pass_end(&mut self, own: &Bars, places: &[(Key, Place)], span: Span) -> Vec<(Key, Place)> {
+        let mut sums = Vec::new();
+        for (key, bar) in own {
+            if places.iter().any(|it| it.0 == *key) {
+                continue;
+            }
+            let name = format!("{}_bar", self.locals[key.0.index()].name);
+            let local = self.declare(&name, &bar.ty, span);
+            let place = Place::local(local, bar.ty.clone(), span);
+            let value = sum(place.load(), bar.clone());
+            self.emit(StmtKind::Assign { place: place.clone(), value }, span);
+            sums.push((*key, place));
+        }
+        self.next_bars(own, places, span);
+        sums
     }
 
     /// Declares the bars of what passes assign to each other.

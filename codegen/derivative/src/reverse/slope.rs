@@ -1,6 +1,8 @@
 //! Slopes of operations: a bar goes to the operands, times the slope by each.
 
-use bessemer_ir::{Argument, BinaryOp, Expr, ExprKind, FunctionId, Intrinsic, UnaryOp, effects};
+use bessemer_ir::{
+    Argument, BinaryOp, Expr, ExprKind, FunctionId, Intrinsic, Place, Routine, UnaryOp, effects,
+};
 
 use super::{Back, Bars};
 use crate::run::Run;
@@ -108,11 +110,55 @@ impl Run<'_> {
                 };
                 self.along_slopes(back, bars, all, bar, slopes)
             }
+            ExprKind::Routine(Routine::Amax | Routine::Amin, operands) => {
+                let (Some(own), [operand]) = (own, operands.as_slice()) else {
+                    return Err(opaque());
+                };
+                let all = self.elements_of(operand);
+                let units = self.units(back, &all);
+                self.name = "slope".to_owned();
+                let slopes = self.of_magnitude(own, &units);
+                self.along_slopes(back, bars, &all, bar, slopes)
+            }
             ExprKind::Call(callee, arguments) => {
                 self.call_backwards(back, bars, (*callee, arguments), bar, expr)
             }
             _ => Err(opaque()),
         }
+    }
+
+    /// Returns the elements of a matrix.
+    pub(super) fn elements_of(&self, matrix: &Expr) -> Vec<Expr> {
+        match &matrix.kind {
+            ExprKind::Matrix(all) => all.clone(),
+            ExprKind::Load(place) => {
+                let words = Value::Place(place.clone()).words(self.module);
+                words.into_iter().map(|word| word.value).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Gives bars of the elements of a matrix, each of which is that of one or of another matrix, to the chosen ones.
+    pub(super) fn elements_backwards(
+        &mut self,
+        back: &mut Back,
+        bars: &mut Bars,
+        place: &Place,
+        [one, other]: [&Expr; 2],
+        each: Vec<Option<Expr>>,
+    ) -> Result<()> {
+        let own = Value::Place(place.clone()).words(self.module);
+        let pairs = self.elements_of(one).into_iter().zip(self.elements_of(other));
+        for ((own, bar), (one, other)) in own.into_iter().zip(each).zip(pairs) {
+            let Some(bar) = bar else { continue };
+            let both = [one, other];
+            let units = self.units(back, &both);
+            self.name = "slope".to_owned();
+            let slopes = self.of_element(&own.value, &units[0], units[1].tangents.clone());
+            self.along_slopes(back, bars, &both, bar, slopes)?;
+        }
+        Ok(())
     }
 
     /// Returns operands whose derivatives are those by themselves.

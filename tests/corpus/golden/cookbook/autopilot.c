@@ -282,19 +282,19 @@ static void autopilot_predicted(const double state[24], const imu_t *imu, double
         covariance->elements[9U + 24U * k] = row_9;
         covariance->elements[k + 24U * 9U] = row_9;
     }
-    for (uint32_t k_2 = 10U; k_2 < 24U; k_2++) {
-        const double row_7_2 = covariance->elements[7U + 24U * k_2]
-            + period * covariance->elements[4U + 24U * k_2];
-        const double row_8_2 = covariance->elements[8U + 24U * k_2]
-            + period * covariance->elements[5U + 24U * k_2];
-        const double row_9_2 = covariance->elements[9U + 24U * k_2]
-            + period * covariance->elements[6U + 24U * k_2];
-        covariance->elements[7U + 24U * k_2] = row_7_2;
-        covariance->elements[k_2 + 24U * 7U] = row_7_2;
-        covariance->elements[8U + 24U * k_2] = row_8_2;
-        covariance->elements[k_2 + 24U * 8U] = row_8_2;
-        covariance->elements[9U + 24U * k_2] = row_9_2;
-        covariance->elements[k_2 + 24U * 9U] = row_9_2;
+    for (uint32_t k = 10U; k < 24U; k++) {
+        const double row_7 = covariance->elements[7U + 24U * k]
+            + period * covariance->elements[4U + 24U * k];
+        const double row_8 = covariance->elements[8U + 24U * k]
+            + period * covariance->elements[5U + 24U * k];
+        const double row_9 = covariance->elements[9U + 24U * k]
+            + period * covariance->elements[6U + 24U * k];
+        covariance->elements[7U + 24U * k] = row_7;
+        covariance->elements[k + 24U * 7U] = row_7;
+        covariance->elements[8U + 24U * k] = row_8;
+        covariance->elements[k + 24U * 8U] = row_8;
+        covariance->elements[9U + 24U * k] = row_9;
+        covariance->elements[k + 24U * 9U] = row_9;
     }
     const double block_7_7 = row_7_7 + period * covariance->elements[7 + 24 * 4];
     covariance->elements[7 + 24 * 7] = block_7_7;
@@ -347,69 +347,69 @@ static void autopilot_predicted(const double state[24], const imu_t *imu, double
         + down_d13 * covariance->elements[13 + 24 * 6]
         + down_d14 * covariance->elements[14 + 24 * 6]
         + down_d15 * covariance->elements[15 + 24 * 6];
-    for (uint32_t k_3 = 0U; k_3 < 4U; k_3++) {
-        const double row_4 = covariance->elements[4U + 24U * k_3]
-            + north_d0 * covariance->elements[0U + 24U * k_3]
-            + north_d1 * covariance->elements[1U + 24U * k_3]
-            + north_d2 * covariance->elements[2U + 24U * k_3]
-            + north_d3 * covariance->elements[3U + 24U * k_3]
-            + north_d13 * covariance->elements[13U + 24U * k_3]
-            + north_d14 * covariance->elements[14U + 24U * k_3]
-            + north_d15 * covariance->elements[15U + 24U * k_3];
-        const double row_5 = covariance->elements[5U + 24U * k_3]
-            + east_d0 * covariance->elements[0U + 24U * k_3]
-            + east_d1 * covariance->elements[1U + 24U * k_3]
-            + east_d2 * covariance->elements[2U + 24U * k_3]
-            + east_d3 * covariance->elements[3U + 24U * k_3]
-            + east_d13 * covariance->elements[13U + 24U * k_3]
-            + east_d14 * covariance->elements[14U + 24U * k_3]
-            + east_d15 * covariance->elements[15U + 24U * k_3];
-        const double row_6 = covariance->elements[6U + 24U * k_3]
-            + down_d0 * covariance->elements[0U + 24U * k_3]
-            + down_d1 * covariance->elements[1U + 24U * k_3]
-            + down_d2 * covariance->elements[2U + 24U * k_3]
-            + down_d3 * covariance->elements[3U + 24U * k_3]
-            + down_d13 * covariance->elements[13U + 24U * k_3]
-            + down_d14 * covariance->elements[14U + 24U * k_3]
-            + down_d15 * covariance->elements[15U + 24U * k_3];
-        covariance->elements[4U + 24U * k_3] = row_4;
-        covariance->elements[k_3 + 24U * 4U] = row_4;
-        covariance->elements[5U + 24U * k_3] = row_5;
-        covariance->elements[k_3 + 24U * 5U] = row_5;
-        covariance->elements[6U + 24U * k_3] = row_6;
-        covariance->elements[k_3 + 24U * 6U] = row_6;
+    for (uint32_t k = 0U; k < 4U; k++) {
+        const double row_4 = covariance->elements[4U + 24U * k]
+            + north_d0 * covariance->elements[0U + 24U * k]
+            + north_d1 * covariance->elements[1U + 24U * k]
+            + north_d2 * covariance->elements[2U + 24U * k]
+            + north_d3 * covariance->elements[3U + 24U * k]
+            + north_d13 * covariance->elements[13U + 24U * k]
+            + north_d14 * covariance->elements[14U + 24U * k]
+            + north_d15 * covariance->elements[15U + 24U * k];
+        const double row_5 = covariance->elements[5U + 24U * k]
+            + east_d0 * covariance->elements[0U + 24U * k]
+            + east_d1 * covariance->elements[1U + 24U * k]
+            + east_d2 * covariance->elements[2U + 24U * k]
+            + east_d3 * covariance->elements[3U + 24U * k]
+            + east_d13 * covariance->elements[13U + 24U * k]
+            + east_d14 * covariance->elements[14U + 24U * k]
+            + east_d15 * covariance->elements[15U + 24U * k];
+        const double row_6 = covariance->elements[6U + 24U * k]
+            + down_d0 * covariance->elements[0U + 24U * k]
+            + down_d1 * covariance->elements[1U + 24U * k]
+            + down_d2 * covariance->elements[2U + 24U * k]
+            + down_d3 * covariance->elements[3U + 24U * k]
+            + down_d13 * covariance->elements[13U + 24U * k]
+            + down_d14 * covariance->elements[14U + 24U * k]
+            + down_d15 * covariance->elements[15U + 24U * k];
+        covariance->elements[4U + 24U * k] = row_4;
+        covariance->elements[k + 24U * 4U] = row_4;
+        covariance->elements[5U + 24U * k] = row_5;
+        covariance->elements[k + 24U * 5U] = row_5;
+        covariance->elements[6U + 24U * k] = row_6;
+        covariance->elements[k + 24U * 6U] = row_6;
     }
-    for (uint32_t k_4 = 7U; k_4 < 24U; k_4++) {
-        const double row_4_2 = covariance->elements[4U + 24U * k_4]
-            + north_d0 * covariance->elements[0U + 24U * k_4]
-            + north_d1 * covariance->elements[1U + 24U * k_4]
-            + north_d2 * covariance->elements[2U + 24U * k_4]
-            + north_d3 * covariance->elements[3U + 24U * k_4]
-            + north_d13 * covariance->elements[13U + 24U * k_4]
-            + north_d14 * covariance->elements[14U + 24U * k_4]
-            + north_d15 * covariance->elements[15U + 24U * k_4];
-        const double row_5_2 = covariance->elements[5U + 24U * k_4]
-            + east_d0 * covariance->elements[0U + 24U * k_4]
-            + east_d1 * covariance->elements[1U + 24U * k_4]
-            + east_d2 * covariance->elements[2U + 24U * k_4]
-            + east_d3 * covariance->elements[3U + 24U * k_4]
-            + east_d13 * covariance->elements[13U + 24U * k_4]
-            + east_d14 * covariance->elements[14U + 24U * k_4]
-            + east_d15 * covariance->elements[15U + 24U * k_4];
-        const double row_6_2 = covariance->elements[6U + 24U * k_4]
-            + down_d0 * covariance->elements[0U + 24U * k_4]
-            + down_d1 * covariance->elements[1U + 24U * k_4]
-            + down_d2 * covariance->elements[2U + 24U * k_4]
-            + down_d3 * covariance->elements[3U + 24U * k_4]
-            + down_d13 * covariance->elements[13U + 24U * k_4]
-            + down_d14 * covariance->elements[14U + 24U * k_4]
-            + down_d15 * covariance->elements[15U + 24U * k_4];
-        covariance->elements[4U + 24U * k_4] = row_4_2;
-        covariance->elements[k_4 + 24U * 4U] = row_4_2;
-        covariance->elements[5U + 24U * k_4] = row_5_2;
-        covariance->elements[k_4 + 24U * 5U] = row_5_2;
-        covariance->elements[6U + 24U * k_4] = row_6_2;
-        covariance->elements[k_4 + 24U * 6U] = row_6_2;
+    for (uint32_t k = 7U; k < 24U; k++) {
+        const double row_4 = covariance->elements[4U + 24U * k]
+            + north_d0 * covariance->elements[0U + 24U * k]
+            + north_d1 * covariance->elements[1U + 24U * k]
+            + north_d2 * covariance->elements[2U + 24U * k]
+            + north_d3 * covariance->elements[3U + 24U * k]
+            + north_d13 * covariance->elements[13U + 24U * k]
+            + north_d14 * covariance->elements[14U + 24U * k]
+            + north_d15 * covariance->elements[15U + 24U * k];
+        const double row_5 = covariance->elements[5U + 24U * k]
+            + east_d0 * covariance->elements[0U + 24U * k]
+            + east_d1 * covariance->elements[1U + 24U * k]
+            + east_d2 * covariance->elements[2U + 24U * k]
+            + east_d3 * covariance->elements[3U + 24U * k]
+            + east_d13 * covariance->elements[13U + 24U * k]
+            + east_d14 * covariance->elements[14U + 24U * k]
+            + east_d15 * covariance->elements[15U + 24U * k];
+        const double row_6 = covariance->elements[6U + 24U * k]
+            + down_d0 * covariance->elements[0U + 24U * k]
+            + down_d1 * covariance->elements[1U + 24U * k]
+            + down_d2 * covariance->elements[2U + 24U * k]
+            + down_d3 * covariance->elements[3U + 24U * k]
+            + down_d13 * covariance->elements[13U + 24U * k]
+            + down_d14 * covariance->elements[14U + 24U * k]
+            + down_d15 * covariance->elements[15U + 24U * k];
+        covariance->elements[4U + 24U * k] = row_4;
+        covariance->elements[k + 24U * 4U] = row_4;
+        covariance->elements[5U + 24U * k] = row_5;
+        covariance->elements[k + 24U * 5U] = row_5;
+        covariance->elements[6U + 24U * k] = row_6;
+        covariance->elements[k + 24U * 6U] = row_6;
     }
     const double block_4_4 = row_4_4 + north_d0 * covariance->elements[4 + 24 * 0]
         + north_d1 * covariance->elements[4 + 24 * 1] + north_d2 * covariance->elements[4 + 24 * 2]
@@ -543,43 +543,43 @@ static void autopilot_predicted(const double state[24], const imu_t *imu, double
         + next_d10_4 * covariance->elements[10 + 24 * 3]
         + next_d11_4 * covariance->elements[11 + 24 * 3]
         + next_d12_4 * covariance->elements[12 + 24 * 3];
-    for (uint32_t k_5 = 4U; k_5 < 24U; k_5++) {
-        const double row_0 = covariance->elements[0U + 24U * k_5]
-            + next_d1 * covariance->elements[1U + 24U * k_5]
-            + next_d2 * covariance->elements[2U + 24U * k_5]
-            + next_d3 * covariance->elements[3U + 24U * k_5]
-            + next_d10 * covariance->elements[10U + 24U * k_5]
-            + next_d11 * covariance->elements[11U + 24U * k_5]
-            + next_d12 * covariance->elements[12U + 24U * k_5];
-        const double row_1 = covariance->elements[1U + 24U * k_5]
-            + half_2 * covariance->elements[0U + 24U * k_5]
-            + half_6 * covariance->elements[2U + 24U * k_5]
-            + next_d3_2 * covariance->elements[3U + 24U * k_5]
-            + next_d10_2 * covariance->elements[10U + 24U * k_5]
-            + next_d11_2 * covariance->elements[11U + 24U * k_5]
-            + next_d12_2 * covariance->elements[12U + 24U * k_5];
-        const double row_2 = covariance->elements[2U + 24U * k_5]
-            + half_4 * covariance->elements[0U + 24U * k_5]
-            + next_d1_2 * covariance->elements[1U + 24U * k_5]
-            + half_2 * covariance->elements[3U + 24U * k_5]
-            + next_d10_3 * covariance->elements[10U + 24U * k_5]
-            + next_d11_3 * covariance->elements[11U + 24U * k_5]
-            + next_d12_3 * covariance->elements[12U + 24U * k_5];
-        const double row_3 = covariance->elements[3U + 24U * k_5]
-            + half_6 * covariance->elements[0U + 24U * k_5]
-            + half_4 * covariance->elements[1U + 24U * k_5]
-            + next_d2_2 * covariance->elements[2U + 24U * k_5]
-            + next_d10_4 * covariance->elements[10U + 24U * k_5]
-            + next_d11_4 * covariance->elements[11U + 24U * k_5]
-            + next_d12_4 * covariance->elements[12U + 24U * k_5];
-        covariance->elements[0U + 24U * k_5] = row_0;
-        covariance->elements[k_5 + 24U * 0U] = row_0;
-        covariance->elements[1U + 24U * k_5] = row_1;
-        covariance->elements[k_5 + 24U * 1U] = row_1;
-        covariance->elements[2U + 24U * k_5] = row_2;
-        covariance->elements[k_5 + 24U * 2U] = row_2;
-        covariance->elements[3U + 24U * k_5] = row_3;
-        covariance->elements[k_5 + 24U * 3U] = row_3;
+    for (uint32_t k = 4U; k < 24U; k++) {
+        const double row_0 = covariance->elements[0U + 24U * k]
+            + next_d1 * covariance->elements[1U + 24U * k]
+            + next_d2 * covariance->elements[2U + 24U * k]
+            + next_d3 * covariance->elements[3U + 24U * k]
+            + next_d10 * covariance->elements[10U + 24U * k]
+            + next_d11 * covariance->elements[11U + 24U * k]
+            + next_d12 * covariance->elements[12U + 24U * k];
+        const double row_1 = covariance->elements[1U + 24U * k]
+            + half_2 * covariance->elements[0U + 24U * k]
+            + half_6 * covariance->elements[2U + 24U * k]
+            + next_d3_2 * covariance->elements[3U + 24U * k]
+            + next_d10_2 * covariance->elements[10U + 24U * k]
+            + next_d11_2 * covariance->elements[11U + 24U * k]
+            + next_d12_2 * covariance->elements[12U + 24U * k];
+        const double row_2 = covariance->elements[2U + 24U * k]
+            + half_4 * covariance->elements[0U + 24U * k]
+            + next_d1_2 * covariance->elements[1U + 24U * k]
+            + half_2 * covariance->elements[3U + 24U * k]
+            + next_d10_3 * covariance->elements[10U + 24U * k]
+            + next_d11_3 * covariance->elements[11U + 24U * k]
+            + next_d12_3 * covariance->elements[12U + 24U * k];
+        const double row_3 = covariance->elements[3U + 24U * k]
+            + half_6 * covariance->elements[0U + 24U * k]
+            + half_4 * covariance->elements[1U + 24U * k]
+            + next_d2_2 * covariance->elements[2U + 24U * k]
+            + next_d10_4 * covariance->elements[10U + 24U * k]
+            + next_d11_4 * covariance->elements[11U + 24U * k]
+            + next_d12_4 * covariance->elements[12U + 24U * k];
+        covariance->elements[0U + 24U * k] = row_0;
+        covariance->elements[k + 24U * 0U] = row_0;
+        covariance->elements[1U + 24U * k] = row_1;
+        covariance->elements[k + 24U * 1U] = row_1;
+        covariance->elements[2U + 24U * k] = row_2;
+        covariance->elements[k + 24U * 2U] = row_2;
+        covariance->elements[3U + 24U * k] = row_3;
+        covariance->elements[k + 24U * 3U] = row_3;
     }
     const double block_0_0 = row_0_0 + next_d1 * row_0_1 + next_d2 * row_0_2 + next_d3 * row_0_3
         + next_d10 * covariance->elements[0 + 24 * 10]

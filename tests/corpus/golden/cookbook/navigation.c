@@ -179,43 +179,43 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
     const double row_5_5 = covariance->elements[5 + 12 * 5]
         + next_d6_5 * covariance->elements[6 + 12 * 5]
         + next_d7_4 * covariance->elements[7 + 12 * 5];
-    for (uint32_t k_2 = 0U; k_2 < 3U; k_2++) {
-        const double row_3 = covariance->elements[3U + 12U * k_2]
-            + next_d6 * covariance->elements[6U + 12U * k_2]
-            + next_d7 * covariance->elements[7U + 12U * k_2]
-            + next_d8 * covariance->elements[8U + 12U * k_2];
-        const double row_4 = covariance->elements[4U + 12U * k_2]
-            + next_d6_3 * covariance->elements[6U + 12U * k_2]
-            + next_d7_3 * covariance->elements[7U + 12U * k_2]
-            + next_d8_2 * covariance->elements[8U + 12U * k_2];
-        const double row_5 = covariance->elements[5U + 12U * k_2]
-            + next_d6_5 * covariance->elements[6U + 12U * k_2]
-            + next_d7_4 * covariance->elements[7U + 12U * k_2];
-        covariance->elements[3U + 12U * k_2] = row_3;
-        covariance->elements[k_2 + 12U * 3U] = row_3;
-        covariance->elements[4U + 12U * k_2] = row_4;
-        covariance->elements[k_2 + 12U * 4U] = row_4;
-        covariance->elements[5U + 12U * k_2] = row_5;
-        covariance->elements[k_2 + 12U * 5U] = row_5;
+    for (uint32_t k = 0U; k < 3U; k++) {
+        const double row_3 = covariance->elements[3U + 12U * k]
+            + next_d6 * covariance->elements[6U + 12U * k]
+            + next_d7 * covariance->elements[7U + 12U * k]
+            + next_d8 * covariance->elements[8U + 12U * k];
+        const double row_4 = covariance->elements[4U + 12U * k]
+            + next_d6_3 * covariance->elements[6U + 12U * k]
+            + next_d7_3 * covariance->elements[7U + 12U * k]
+            + next_d8_2 * covariance->elements[8U + 12U * k];
+        const double row_5 = covariance->elements[5U + 12U * k]
+            + next_d6_5 * covariance->elements[6U + 12U * k]
+            + next_d7_4 * covariance->elements[7U + 12U * k];
+        covariance->elements[3U + 12U * k] = row_3;
+        covariance->elements[k + 12U * 3U] = row_3;
+        covariance->elements[4U + 12U * k] = row_4;
+        covariance->elements[k + 12U * 4U] = row_4;
+        covariance->elements[5U + 12U * k] = row_5;
+        covariance->elements[k + 12U * 5U] = row_5;
     }
-    for (uint32_t k_3 = 6U; k_3 < 12U; k_3++) {
-        const double row_3_2 = covariance->elements[3U + 12U * k_3]
-            + next_d6 * covariance->elements[6U + 12U * k_3]
-            + next_d7 * covariance->elements[7U + 12U * k_3]
-            + next_d8 * covariance->elements[8U + 12U * k_3];
-        const double row_4_2 = covariance->elements[4U + 12U * k_3]
-            + next_d6_3 * covariance->elements[6U + 12U * k_3]
-            + next_d7_3 * covariance->elements[7U + 12U * k_3]
-            + next_d8_2 * covariance->elements[8U + 12U * k_3];
-        const double row_5_2 = covariance->elements[5U + 12U * k_3]
-            + next_d6_5 * covariance->elements[6U + 12U * k_3]
-            + next_d7_4 * covariance->elements[7U + 12U * k_3];
-        covariance->elements[3U + 12U * k_3] = row_3_2;
-        covariance->elements[k_3 + 12U * 3U] = row_3_2;
-        covariance->elements[4U + 12U * k_3] = row_4_2;
-        covariance->elements[k_3 + 12U * 4U] = row_4_2;
-        covariance->elements[5U + 12U * k_3] = row_5_2;
-        covariance->elements[k_3 + 12U * 5U] = row_5_2;
+    for (uint32_t k = 6U; k < 12U; k++) {
+        const double row_3 = covariance->elements[3U + 12U * k]
+            + next_d6 * covariance->elements[6U + 12U * k]
+            + next_d7 * covariance->elements[7U + 12U * k]
+            + next_d8 * covariance->elements[8U + 12U * k];
+        const double row_4 = covariance->elements[4U + 12U * k]
+            + next_d6_3 * covariance->elements[6U + 12U * k]
+            + next_d7_3 * covariance->elements[7U + 12U * k]
+            + next_d8_2 * covariance->elements[8U + 12U * k];
+        const double row_5 = covariance->elements[5U + 12U * k]
+            + next_d6_5 * covariance->elements[6U + 12U * k]
+            + next_d7_4 * covariance->elements[7U + 12U * k];
+        covariance->elements[3U + 12U * k] = row_3;
+        covariance->elements[k + 12U * 3U] = row_3;
+        covariance->elements[4U + 12U * k] = row_4;
+        covariance->elements[k + 12U * 4U] = row_4;
+        covariance->elements[5U + 12U * k] = row_5;
+        covariance->elements[k + 12U * 5U] = row_5;
     }
     const double block_3_3 = row_3_3 + next_d6 * covariance->elements[3 + 12 * 6]
         + next_d7 * covariance->elements[3 + 12 * 7] + next_d8 * covariance->elements[3 + 12 * 8];
@@ -279,49 +279,49 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
         + next_d7_5 * covariance->elements[7 + 12 * 8]
         + next_d10_3 * covariance->elements[10 + 12 * 8]
         + next_d11_3 * covariance->elements[11 + 12 * 8];
-    for (uint32_t k_4 = 0U; k_4 < 6U; k_4++) {
-        const double row_6 = next_d6_2 * covariance->elements[6U + 12U * k_4]
-            + next_d7_2 * covariance->elements[7U + 12U * k_4]
-            + next_d9 * covariance->elements[9U + 12U * k_4]
-            + next_d10 * covariance->elements[10U + 12U * k_4]
-            + next_d11 * covariance->elements[11U + 12U * k_4];
-        const double row_7 = covariance->elements[7U + 12U * k_4]
-            + next_d6_4 * covariance->elements[6U + 12U * k_4]
-            + next_d10_2 * covariance->elements[10U + 12U * k_4]
-            + next_d11_2 * covariance->elements[11U + 12U * k_4];
-        const double row_8 = covariance->elements[8U + 12U * k_4]
-            + next_d6_6 * covariance->elements[6U + 12U * k_4]
-            + next_d7_5 * covariance->elements[7U + 12U * k_4]
-            + next_d10_3 * covariance->elements[10U + 12U * k_4]
-            + next_d11_3 * covariance->elements[11U + 12U * k_4];
-        covariance->elements[6U + 12U * k_4] = row_6;
-        covariance->elements[k_4 + 12U * 6U] = row_6;
-        covariance->elements[7U + 12U * k_4] = row_7;
-        covariance->elements[k_4 + 12U * 7U] = row_7;
-        covariance->elements[8U + 12U * k_4] = row_8;
-        covariance->elements[k_4 + 12U * 8U] = row_8;
+    for (uint32_t k = 0U; k < 6U; k++) {
+        const double row_6 = next_d6_2 * covariance->elements[6U + 12U * k]
+            + next_d7_2 * covariance->elements[7U + 12U * k]
+            + next_d9 * covariance->elements[9U + 12U * k]
+            + next_d10 * covariance->elements[10U + 12U * k]
+            + next_d11 * covariance->elements[11U + 12U * k];
+        const double row_7 = covariance->elements[7U + 12U * k]
+            + next_d6_4 * covariance->elements[6U + 12U * k]
+            + next_d10_2 * covariance->elements[10U + 12U * k]
+            + next_d11_2 * covariance->elements[11U + 12U * k];
+        const double row_8 = covariance->elements[8U + 12U * k]
+            + next_d6_6 * covariance->elements[6U + 12U * k]
+            + next_d7_5 * covariance->elements[7U + 12U * k]
+            + next_d10_3 * covariance->elements[10U + 12U * k]
+            + next_d11_3 * covariance->elements[11U + 12U * k];
+        covariance->elements[6U + 12U * k] = row_6;
+        covariance->elements[k + 12U * 6U] = row_6;
+        covariance->elements[7U + 12U * k] = row_7;
+        covariance->elements[k + 12U * 7U] = row_7;
+        covariance->elements[8U + 12U * k] = row_8;
+        covariance->elements[k + 12U * 8U] = row_8;
     }
-    for (uint32_t k_5 = 9U; k_5 < 12U; k_5++) {
-        const double row_6_2 = next_d6_2 * covariance->elements[6U + 12U * k_5]
-            + next_d7_2 * covariance->elements[7U + 12U * k_5]
-            + next_d9 * covariance->elements[9U + 12U * k_5]
-            + next_d10 * covariance->elements[10U + 12U * k_5]
-            + next_d11 * covariance->elements[11U + 12U * k_5];
-        const double row_7_2 = covariance->elements[7U + 12U * k_5]
-            + next_d6_4 * covariance->elements[6U + 12U * k_5]
-            + next_d10_2 * covariance->elements[10U + 12U * k_5]
-            + next_d11_2 * covariance->elements[11U + 12U * k_5];
-        const double row_8_2 = covariance->elements[8U + 12U * k_5]
-            + next_d6_6 * covariance->elements[6U + 12U * k_5]
-            + next_d7_5 * covariance->elements[7U + 12U * k_5]
-            + next_d10_3 * covariance->elements[10U + 12U * k_5]
-            + next_d11_3 * covariance->elements[11U + 12U * k_5];
-        covariance->elements[6U + 12U * k_5] = row_6_2;
-        covariance->elements[k_5 + 12U * 6U] = row_6_2;
-        covariance->elements[7U + 12U * k_5] = row_7_2;
-        covariance->elements[k_5 + 12U * 7U] = row_7_2;
-        covariance->elements[8U + 12U * k_5] = row_8_2;
-        covariance->elements[k_5 + 12U * 8U] = row_8_2;
+    for (uint32_t k = 9U; k < 12U; k++) {
+        const double row_6 = next_d6_2 * covariance->elements[6U + 12U * k]
+            + next_d7_2 * covariance->elements[7U + 12U * k]
+            + next_d9 * covariance->elements[9U + 12U * k]
+            + next_d10 * covariance->elements[10U + 12U * k]
+            + next_d11 * covariance->elements[11U + 12U * k];
+        const double row_7 = covariance->elements[7U + 12U * k]
+            + next_d6_4 * covariance->elements[6U + 12U * k]
+            + next_d10_2 * covariance->elements[10U + 12U * k]
+            + next_d11_2 * covariance->elements[11U + 12U * k];
+        const double row_8 = covariance->elements[8U + 12U * k]
+            + next_d6_6 * covariance->elements[6U + 12U * k]
+            + next_d7_5 * covariance->elements[7U + 12U * k]
+            + next_d10_3 * covariance->elements[10U + 12U * k]
+            + next_d11_3 * covariance->elements[11U + 12U * k];
+        covariance->elements[6U + 12U * k] = row_6;
+        covariance->elements[k + 12U * 6U] = row_6;
+        covariance->elements[7U + 12U * k] = row_7;
+        covariance->elements[k + 12U * 7U] = row_7;
+        covariance->elements[8U + 12U * k] = row_8;
+        covariance->elements[k + 12U * 8U] = row_8;
     }
     const double block_6_6 = next_d6_2 * row_6_6 + next_d7_2 * row_6_7
         + next_d9 * covariance->elements[6 + 12 * 9] + next_d10 * covariance->elements[6 + 12 * 10]

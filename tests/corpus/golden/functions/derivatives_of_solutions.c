@@ -111,7 +111,7 @@ void derivatives_of_solutions_surprise_gradient(const double s[4], const double 
     double lower[4];
     cholesky_lower_f64_2(s, lower);
     const bool factor_0 = lower[0 + 2 * 0] > 0.0;
-    double result_2;
+    double result_value;
     double result_d0;
     double result_d1;
     double result_d3;
@@ -139,15 +139,15 @@ void derivatives_of_solutions_surprise_gradient(const double s[4], const double 
             + difference[1] * solution_d[1 + 2 * 3];
         const double x_d5 = difference[0] * solution_d[0 + 2 * 4]
             + (solution[1] + difference[1] * solution_d[1 + 2 * 4]);
-        result_2 = x;
+        result_value = x;
         result_d0 = x_d0;
         result_d1 = x_d1;
         result_d3 = x_d3;
         result_d4 = x_d4;
         result_d5 = x_d5;
     } else {
-        const double result_value = -1.0;
-        result_2 = result_value;
+        const double result_2 = -1.0;
+        result_value = result_2;
         result_d0 = 0.0;
         result_d1 = 0.0;
         result_d3 = 0.0;
@@ -165,7 +165,7 @@ void derivatives_of_solutions_surprise_gradient(const double s[4], const double 
     result->third[1] = 0.0;
     result->third[0] = result_d4;
     result->third[1] = result_d5;
-    result->first = result_2;
+    result->first = result_value;
 }
 
 void derivatives_of_solutions_inverted(const double a[4], double scale,

@@ -69,38 +69,38 @@ void gradients_rollout_gradient(const double start[2], const double torques[50],
         const double state_1_before = state_1;
         state_1_kept[k] = state_1_before;
         const double cost_before = cost;
-        double drag_3;
+        double drag;
         if (state_1_before > 1.0) {
-            const double drag_4 = 0.25 * state_1_before;
-            const double drag = drag_4 * state_1_before;
-            drag_3 = drag;
+            const double drag_2 = 0.25 * state_1_before;
+            const double drag_3 = drag_2 * state_1_before;
+            drag = drag_3;
         } else {
             const double drag_2 = 0.5 * state_1_before;
-            drag_3 = drag_2;
+            drag = drag_2;
         }
         const double sin_state_0 = sine_sin(state_0_before);
         const double torques_at = torques[k];
-        const double result_1 = torques_at - sin_state_0 - drag_3;
+        const double result_1 = torques_at - sin_state_0 - drag;
         const double result_0 = state_1_before * 0.05;
         const double result_1_2 = result_1 * 0.05;
         const double state_0_2 = state_0_before + result_0;
         state_0_kept_2[k] = state_0_2;
         const double state_1_2 = state_1_before + result_1_2;
         state_1_kept_2[k] = state_1_2;
-        const double cost_4 = 0.01 * torques_at;
-        const double cost_2 = cost_before + cost_4 * torques_at;
+        const double cost_2 = 0.01 * torques_at;
+        const double cost_3 = cost_before + cost_2 * torques_at;
         if (state_0_2 > 4.0) {
             state_0 = state_0_2;
             state_1 = state_1_2;
-            cost = cost_2;
+            cost = cost_3;
             break;
         } else {
-            const double cost_5 = fabs(state_1_2);
-            cost_kept[k] = cost_5;
-            const double cost_3 = cost_2 + cost_5 * 0.001;
+            const double cost_4 = fabs(state_1_2);
+            cost_kept[k] = cost_4;
+            const double cost_5 = cost_3 + cost_4 * 0.001;
             state_0 = state_0_2;
             state_1 = state_1_2;
-            cost = cost_3;
+            cost = cost_5;
         }
     }
     const double left = state_0 - 3.0;
@@ -127,9 +127,9 @@ void gradients_rollout_gradient(const double start[2], const double torques[50],
                 }
                 state_1_bar_2 = state_1_bar + slope_d0 * cost_bar_2;
             }
-            const double cost_bar_3 = torques[k] * cost_bar;
+            const double cost_bar_2 = torques[k] * cost_bar;
             const double result_1_bar = 0.05 * state_1_bar_2;
-            const double torques_at_bar = 0.01 * torques[k] * cost_bar + 0.01 * cost_bar_3
+            const double torques_at_bar = 0.01 * torques[k] * cost_bar + 0.01 * cost_bar_2
                 + result_1_bar;
             result->third[k] = torques_at_bar;
             const double sin_state_0_bar = -result_1_bar;
@@ -171,7 +171,7 @@ float gradients_misfit(const float line[2], const float covariance[4])
 void gradients_misfit_gradient(const float line[2], const float covariance[4],
     triple_f32_vector2_f32_matrix2x2_f32_t *BESSEMER_RESTRICT result)
 {
-    float x_3 = 0.0F;
+    float x = 0.0F;
     float x_2 = 0.0F;
     float solution[2] = {0.0F, 0.0F};
     const float residual_0 = line[0] - 1.0F;
@@ -179,18 +179,18 @@ void gradients_misfit_gradient(const float line[2], const float covariance[4],
     float lower[4];
     cholesky_lower_f32_2(covariance, lower);
     const bool factor_0 = lower[0 + 2 * 0] > 0.0F;
-    float result_2;
+    float result_value;
     if (factor_0) {
         solution[0] = residual_0;
         solution[1] = residual_1;
         cholesky_solve_f32_2(lower, solution);
         x_2 = solution[0];
-        x_3 = solution[1];
-        const float x = residual_0 * x_2 + residual_1 * x_3;
-        result_2 = x;
+        x = solution[1];
+        const float x_3 = residual_0 * x_2 + residual_1 * x;
+        result_value = x_3;
     } else {
-        const float result_value = 0.0F + (residual_0 * residual_0 + residual_1 * residual_1);
-        result_2 = result_value;
+        const float result_2 = 0.0F + (residual_0 * residual_0 + residual_1 * residual_1);
+        result_value = result_2;
     }
     float residual_0_bar;
     float residual_1_bar;
@@ -201,7 +201,7 @@ void gradients_misfit_gradient(const float line[2], const float covariance[4],
         float solution_bar[2] = {residual_0, residual_1};
         cholesky_solve_f32_2(lower, solution_bar);
         residual_0_bar = x_2 + solution_bar[0];
-        residual_1_bar = x_3 + solution_bar[1];
+        residual_1_bar = x + solution_bar[1];
         lower_bar = -(solution_bar[0] * solution[0]);
         lower_bar_2 = -(solution_bar[1] * solution[0] + solution_bar[0] * solution[1]);
         lower_bar_3 = -(solution_bar[1] * solution[1]);
@@ -212,7 +212,7 @@ void gradients_misfit_gradient(const float line[2], const float covariance[4],
         lower_bar_2 = 0.0F;
         lower_bar_3 = 0.0F;
     }
-    result->first = result_2;
+    result->first = result_value;
     result->second[0] = line[1] * residual_1_bar + residual_0_bar;
     result->second[1] = line[0] * residual_1_bar;
     result->third[0 + 2 * 0] = lower_bar;
@@ -254,8 +254,8 @@ void gradients_hessian_product(const float line[2], const float way[2], float le
     const bool factor_0 = lower[0 + 2 * 0] > 0.0F;
     float x_2;
     float x_2_d0;
-    float x_3;
-    float x_3_d0;
+    float x;
+    float x_d0;
     if (factor_0) {
         float solution[2] = {residual_0, residual_1};
         cholesky_solve_f32_2(lower, solution);
@@ -263,46 +263,46 @@ void gradients_hessian_product(const float line[2], const float way[2], float le
         cholesky_solve_f32_2(lower, solution_d);
         x_2 = solution[0];
         x_2_d0 = solution_d[0];
-        x_3 = solution[1];
-        x_3_d0 = solution_d[1];
+        x = solution[1];
+        x_d0 = solution_d[1];
     } else {
         x_2 = 0.0F;
         x_2_d0 = 0.0F;
-        x_3 = 0.0F;
-        x_3_d0 = 0.0F;
+        x = 0.0F;
+        x_d0 = 0.0F;
     }
-    float residual_0_bar_3;
-    float residual_0_bar_d0_3;
-    float residual_1_bar_3;
-    float residual_1_bar_d0_3;
+    float residual_0_bar;
+    float residual_0_bar_d0;
+    float residual_1_bar;
+    float residual_1_bar_d0;
     if (factor_0) {
-        float solution_2[2] = {residual_0, residual_1};
-        cholesky_solve_f32_2(lower, solution_2);
-        float solution_d_2[2] = {way[0], residual_1_d0};
-        cholesky_solve_f32_2(lower, solution_d_2);
-        const float residual_0_bar = x_2 + solution_2[0];
-        const float residual_0_bar_d0 = x_2_d0 + solution_d_2[0];
-        const float residual_1_bar = x_3 + solution_2[1];
-        const float residual_1_bar_d0 = x_3_d0 + solution_d_2[1];
-        residual_0_bar_3 = residual_0_bar;
-        residual_0_bar_d0_3 = residual_0_bar_d0;
-        residual_1_bar_3 = residual_1_bar;
-        residual_1_bar_d0_3 = residual_1_bar_d0;
+        float solution[2] = {residual_0, residual_1};
+        cholesky_solve_f32_2(lower, solution);
+        float solution_d[2] = {way[0], residual_1_d0};
+        cholesky_solve_f32_2(lower, solution_d);
+        const float residual_0_bar_2 = x_2 + solution[0];
+        const float residual_0_bar_d0_2 = x_2_d0 + solution_d[0];
+        const float residual_1_bar_2 = x + solution[1];
+        const float residual_1_bar_d0_2 = x_d0 + solution_d[1];
+        residual_0_bar = residual_0_bar_2;
+        residual_0_bar_d0 = residual_0_bar_d0_2;
+        residual_1_bar = residual_1_bar_2;
+        residual_1_bar_d0 = residual_1_bar_d0_2;
     } else {
         const float residual_0_bar_2 = residual_0 * 2.0F;
         const float residual_0_bar_d0_2 = 2.0F * way[0];
         const float residual_1_bar_2 = residual_1 * 2.0F;
         const float residual_1_bar_d0_2 = 2.0F * residual_1_d0;
-        residual_0_bar_3 = residual_0_bar_2;
-        residual_0_bar_d0_3 = residual_0_bar_d0_2;
-        residual_1_bar_3 = residual_1_bar_2;
-        residual_1_bar_d0_3 = residual_1_bar_d0_2;
+        residual_0_bar = residual_0_bar_2;
+        residual_0_bar_d0 = residual_0_bar_d0_2;
+        residual_1_bar = residual_1_bar_2;
+        residual_1_bar_d0 = residual_1_bar_d0_2;
     }
-    const float result_1_0 = line_1 * residual_1_bar_3 + residual_0_bar_3;
-    const float result_1_0_d0 = residual_1_bar_3 * way[1] + line_1 * residual_1_bar_d0_3
-        + residual_0_bar_d0_3;
-    const float result_1_1 = line_0 * residual_1_bar_3;
-    const float result_1_1_d0 = residual_1_bar_3 * way[0] + line_0 * residual_1_bar_d0_3;
+    const float result_1_0 = line_1 * residual_1_bar + residual_0_bar;
+    const float result_1_0_d0 = residual_1_bar * way[1] + line_1 * residual_1_bar_d0
+        + residual_0_bar_d0;
+    const float result_1_1 = line_0 * residual_1_bar;
+    const float result_1_1_d0 = residual_1_bar * way[0] + line_0 * residual_1_bar_d0;
     result->second[0] = result_1_0_d0;
     result->second[1] = result_1_1_d0;
     result->first[0] = result_1_0;

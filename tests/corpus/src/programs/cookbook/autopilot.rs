@@ -180,16 +180,16 @@ fn predicted(
         covariance.elements[(9, k)] = row_9;
         covariance.elements[(k, 9)] = row_9;
     }
-    for k_2 in 10..24 {
-        let row_7_2 = covariance.elements[(7, k_2)] + period * covariance.elements[(4, k_2)];
-        let row_8_2 = covariance.elements[(8, k_2)] + period * covariance.elements[(5, k_2)];
-        let row_9_2 = covariance.elements[(9, k_2)] + period * covariance.elements[(6, k_2)];
-        covariance.elements[(7, k_2)] = row_7_2;
-        covariance.elements[(k_2, 7)] = row_7_2;
-        covariance.elements[(8, k_2)] = row_8_2;
-        covariance.elements[(k_2, 8)] = row_8_2;
-        covariance.elements[(9, k_2)] = row_9_2;
-        covariance.elements[(k_2, 9)] = row_9_2;
+    for k in 10..24 {
+        let row_7 = covariance.elements[(7, k)] + period * covariance.elements[(4, k)];
+        let row_8 = covariance.elements[(8, k)] + period * covariance.elements[(5, k)];
+        let row_9 = covariance.elements[(9, k)] + period * covariance.elements[(6, k)];
+        covariance.elements[(7, k)] = row_7;
+        covariance.elements[(k, 7)] = row_7;
+        covariance.elements[(8, k)] = row_8;
+        covariance.elements[(k, 8)] = row_8;
+        covariance.elements[(9, k)] = row_9;
+        covariance.elements[(k, 9)] = row_9;
     }
     let block_7_7 = row_7_7 + period * covariance.elements[(7, 4)];
     covariance.elements[(7, 7)] = block_7_7;
@@ -212,27 +212,27 @@ fn predicted(
     let row_5_5 = covariance.elements[(5, 5)] + east_d0 * covariance.elements[(0, 5)] + east_d1 * covariance.elements[(1, 5)] + east_d2 * covariance.elements[(2, 5)] + east_d3 * covariance.elements[(3, 5)] + east_d13 * covariance.elements[(13, 5)] + east_d14 * covariance.elements[(14, 5)] + east_d15 * covariance.elements[(15, 5)];
     let row_5_6 = covariance.elements[(5, 6)] + east_d0 * covariance.elements[(0, 6)] + east_d1 * covariance.elements[(1, 6)] + east_d2 * covariance.elements[(2, 6)] + east_d3 * covariance.elements[(3, 6)] + east_d13 * covariance.elements[(13, 6)] + east_d14 * covariance.elements[(14, 6)] + east_d15 * covariance.elements[(15, 6)];
     let row_6_6 = covariance.elements[(6, 6)] + down_d0 * covariance.elements[(0, 6)] + down_d1 * covariance.elements[(1, 6)] + down_d2 * covariance.elements[(2, 6)] + down_d3 * covariance.elements[(3, 6)] + down_d13 * covariance.elements[(13, 6)] + down_d14 * covariance.elements[(14, 6)] + down_d15 * covariance.elements[(15, 6)];
-    for k_3 in 0..4 {
-        let row_4 = covariance.elements[(4, k_3)] + north_d0 * covariance.elements[(0, k_3)] + north_d1 * covariance.elements[(1, k_3)] + north_d2 * covariance.elements[(2, k_3)] + north_d3 * covariance.elements[(3, k_3)] + north_d13 * covariance.elements[(13, k_3)] + north_d14 * covariance.elements[(14, k_3)] + north_d15 * covariance.elements[(15, k_3)];
-        let row_5 = covariance.elements[(5, k_3)] + east_d0 * covariance.elements[(0, k_3)] + east_d1 * covariance.elements[(1, k_3)] + east_d2 * covariance.elements[(2, k_3)] + east_d3 * covariance.elements[(3, k_3)] + east_d13 * covariance.elements[(13, k_3)] + east_d14 * covariance.elements[(14, k_3)] + east_d15 * covariance.elements[(15, k_3)];
-        let row_6 = covariance.elements[(6, k_3)] + down_d0 * covariance.elements[(0, k_3)] + down_d1 * covariance.elements[(1, k_3)] + down_d2 * covariance.elements[(2, k_3)] + down_d3 * covariance.elements[(3, k_3)] + down_d13 * covariance.elements[(13, k_3)] + down_d14 * covariance.elements[(14, k_3)] + down_d15 * covariance.elements[(15, k_3)];
-        covariance.elements[(4, k_3)] = row_4;
-        covariance.elements[(k_3, 4)] = row_4;
-        covariance.elements[(5, k_3)] = row_5;
-        covariance.elements[(k_3, 5)] = row_5;
-        covariance.elements[(6, k_3)] = row_6;
-        covariance.elements[(k_3, 6)] = row_6;
+    for k in 0..4 {
+        let row_4 = covariance.elements[(4, k)] + north_d0 * covariance.elements[(0, k)] + north_d1 * covariance.elements[(1, k)] + north_d2 * covariance.elements[(2, k)] + north_d3 * covariance.elements[(3, k)] + north_d13 * covariance.elements[(13, k)] + north_d14 * covariance.elements[(14, k)] + north_d15 * covariance.elements[(15, k)];
+        let row_5 = covariance.elements[(5, k)] + east_d0 * covariance.elements[(0, k)] + east_d1 * covariance.elements[(1, k)] + east_d2 * covariance.elements[(2, k)] + east_d3 * covariance.elements[(3, k)] + east_d13 * covariance.elements[(13, k)] + east_d14 * covariance.elements[(14, k)] + east_d15 * covariance.elements[(15, k)];
+        let row_6 = covariance.elements[(6, k)] + down_d0 * covariance.elements[(0, k)] + down_d1 * covariance.elements[(1, k)] + down_d2 * covariance.elements[(2, k)] + down_d3 * covariance.elements[(3, k)] + down_d13 * covariance.elements[(13, k)] + down_d14 * covariance.elements[(14, k)] + down_d15 * covariance.elements[(15, k)];
+        covariance.elements[(4, k)] = row_4;
+        covariance.elements[(k, 4)] = row_4;
+        covariance.elements[(5, k)] = row_5;
+        covariance.elements[(k, 5)] = row_5;
+        covariance.elements[(6, k)] = row_6;
+        covariance.elements[(k, 6)] = row_6;
     }
-    for k_4 in 7..24 {
-        let row_4_2 = covariance.elements[(4, k_4)] + north_d0 * covariance.elements[(0, k_4)] + north_d1 * covariance.elements[(1, k_4)] + north_d2 * covariance.elements[(2, k_4)] + north_d3 * covariance.elements[(3, k_4)] + north_d13 * covariance.elements[(13, k_4)] + north_d14 * covariance.elements[(14, k_4)] + north_d15 * covariance.elements[(15, k_4)];
-        let row_5_2 = covariance.elements[(5, k_4)] + east_d0 * covariance.elements[(0, k_4)] + east_d1 * covariance.elements[(1, k_4)] + east_d2 * covariance.elements[(2, k_4)] + east_d3 * covariance.elements[(3, k_4)] + east_d13 * covariance.elements[(13, k_4)] + east_d14 * covariance.elements[(14, k_4)] + east_d15 * covariance.elements[(15, k_4)];
-        let row_6_2 = covariance.elements[(6, k_4)] + down_d0 * covariance.elements[(0, k_4)] + down_d1 * covariance.elements[(1, k_4)] + down_d2 * covariance.elements[(2, k_4)] + down_d3 * covariance.elements[(3, k_4)] + down_d13 * covariance.elements[(13, k_4)] + down_d14 * covariance.elements[(14, k_4)] + down_d15 * covariance.elements[(15, k_4)];
-        covariance.elements[(4, k_4)] = row_4_2;
-        covariance.elements[(k_4, 4)] = row_4_2;
-        covariance.elements[(5, k_4)] = row_5_2;
-        covariance.elements[(k_4, 5)] = row_5_2;
-        covariance.elements[(6, k_4)] = row_6_2;
-        covariance.elements[(k_4, 6)] = row_6_2;
+    for k in 7..24 {
+        let row_4 = covariance.elements[(4, k)] + north_d0 * covariance.elements[(0, k)] + north_d1 * covariance.elements[(1, k)] + north_d2 * covariance.elements[(2, k)] + north_d3 * covariance.elements[(3, k)] + north_d13 * covariance.elements[(13, k)] + north_d14 * covariance.elements[(14, k)] + north_d15 * covariance.elements[(15, k)];
+        let row_5 = covariance.elements[(5, k)] + east_d0 * covariance.elements[(0, k)] + east_d1 * covariance.elements[(1, k)] + east_d2 * covariance.elements[(2, k)] + east_d3 * covariance.elements[(3, k)] + east_d13 * covariance.elements[(13, k)] + east_d14 * covariance.elements[(14, k)] + east_d15 * covariance.elements[(15, k)];
+        let row_6 = covariance.elements[(6, k)] + down_d0 * covariance.elements[(0, k)] + down_d1 * covariance.elements[(1, k)] + down_d2 * covariance.elements[(2, k)] + down_d3 * covariance.elements[(3, k)] + down_d13 * covariance.elements[(13, k)] + down_d14 * covariance.elements[(14, k)] + down_d15 * covariance.elements[(15, k)];
+        covariance.elements[(4, k)] = row_4;
+        covariance.elements[(k, 4)] = row_4;
+        covariance.elements[(5, k)] = row_5;
+        covariance.elements[(k, 5)] = row_5;
+        covariance.elements[(6, k)] = row_6;
+        covariance.elements[(k, 6)] = row_6;
     }
     let block_4_4 = row_4_4 + north_d0 * covariance.elements[(4, 0)] + north_d1 * covariance.elements[(4, 1)] + north_d2 * covariance.elements[(4, 2)] + north_d3 * covariance.elements[(4, 3)] + north_d13 * covariance.elements[(4, 13)] + north_d14 * covariance.elements[(4, 14)] + north_d15 * covariance.elements[(4, 15)];
     covariance.elements[(4, 4)] = block_4_4;
@@ -265,19 +265,19 @@ fn predicted(
     let row_3_1 = covariance.elements[(3, 1)] + half_6 * covariance.elements[(0, 1)] + half_4 * covariance.elements[(1, 1)] + next_d2_2 * covariance.elements[(2, 1)] + next_d10_4 * covariance.elements[(10, 1)] + next_d11_4 * covariance.elements[(11, 1)] + next_d12_4 * covariance.elements[(12, 1)];
     let row_3_2 = covariance.elements[(3, 2)] + half_6 * covariance.elements[(0, 2)] + half_4 * covariance.elements[(1, 2)] + next_d2_2 * covariance.elements[(2, 2)] + next_d10_4 * covariance.elements[(10, 2)] + next_d11_4 * covariance.elements[(11, 2)] + next_d12_4 * covariance.elements[(12, 2)];
     let row_3_3 = covariance.elements[(3, 3)] + half_6 * covariance.elements[(0, 3)] + half_4 * covariance.elements[(1, 3)] + next_d2_2 * covariance.elements[(2, 3)] + next_d10_4 * covariance.elements[(10, 3)] + next_d11_4 * covariance.elements[(11, 3)] + next_d12_4 * covariance.elements[(12, 3)];
-    for k_5 in 4..24 {
-        let row_0 = covariance.elements[(0, k_5)] + next_d1 * covariance.elements[(1, k_5)] + next_d2 * covariance.elements[(2, k_5)] + next_d3 * covariance.elements[(3, k_5)] + next_d10 * covariance.elements[(10, k_5)] + next_d11 * covariance.elements[(11, k_5)] + next_d12 * covariance.elements[(12, k_5)];
-        let row_1 = covariance.elements[(1, k_5)] + half_2 * covariance.elements[(0, k_5)] + half_6 * covariance.elements[(2, k_5)] + next_d3_2 * covariance.elements[(3, k_5)] + next_d10_2 * covariance.elements[(10, k_5)] + next_d11_2 * covariance.elements[(11, k_5)] + next_d12_2 * covariance.elements[(12, k_5)];
-        let row_2 = covariance.elements[(2, k_5)] + half_4 * covariance.elements[(0, k_5)] + next_d1_2 * covariance.elements[(1, k_5)] + half_2 * covariance.elements[(3, k_5)] + next_d10_3 * covariance.elements[(10, k_5)] + next_d11_3 * covariance.elements[(11, k_5)] + next_d12_3 * covariance.elements[(12, k_5)];
-        let row_3 = covariance.elements[(3, k_5)] + half_6 * covariance.elements[(0, k_5)] + half_4 * covariance.elements[(1, k_5)] + next_d2_2 * covariance.elements[(2, k_5)] + next_d10_4 * covariance.elements[(10, k_5)] + next_d11_4 * covariance.elements[(11, k_5)] + next_d12_4 * covariance.elements[(12, k_5)];
-        covariance.elements[(0, k_5)] = row_0;
-        covariance.elements[(k_5, 0)] = row_0;
-        covariance.elements[(1, k_5)] = row_1;
-        covariance.elements[(k_5, 1)] = row_1;
-        covariance.elements[(2, k_5)] = row_2;
-        covariance.elements[(k_5, 2)] = row_2;
-        covariance.elements[(3, k_5)] = row_3;
-        covariance.elements[(k_5, 3)] = row_3;
+    for k in 4..24 {
+        let row_0 = covariance.elements[(0, k)] + next_d1 * covariance.elements[(1, k)] + next_d2 * covariance.elements[(2, k)] + next_d3 * covariance.elements[(3, k)] + next_d10 * covariance.elements[(10, k)] + next_d11 * covariance.elements[(11, k)] + next_d12 * covariance.elements[(12, k)];
+        let row_1 = covariance.elements[(1, k)] + half_2 * covariance.elements[(0, k)] + half_6 * covariance.elements[(2, k)] + next_d3_2 * covariance.elements[(3, k)] + next_d10_2 * covariance.elements[(10, k)] + next_d11_2 * covariance.elements[(11, k)] + next_d12_2 * covariance.elements[(12, k)];
+        let row_2 = covariance.elements[(2, k)] + half_4 * covariance.elements[(0, k)] + next_d1_2 * covariance.elements[(1, k)] + half_2 * covariance.elements[(3, k)] + next_d10_3 * covariance.elements[(10, k)] + next_d11_3 * covariance.elements[(11, k)] + next_d12_3 * covariance.elements[(12, k)];
+        let row_3 = covariance.elements[(3, k)] + half_6 * covariance.elements[(0, k)] + half_4 * covariance.elements[(1, k)] + next_d2_2 * covariance.elements[(2, k)] + next_d10_4 * covariance.elements[(10, k)] + next_d11_4 * covariance.elements[(11, k)] + next_d12_4 * covariance.elements[(12, k)];
+        covariance.elements[(0, k)] = row_0;
+        covariance.elements[(k, 0)] = row_0;
+        covariance.elements[(1, k)] = row_1;
+        covariance.elements[(k, 1)] = row_1;
+        covariance.elements[(2, k)] = row_2;
+        covariance.elements[(k, 2)] = row_2;
+        covariance.elements[(3, k)] = row_3;
+        covariance.elements[(k, 3)] = row_3;
     }
     let block_0_0 = row_0_0 + next_d1 * row_0_1 + next_d2 * row_0_2 + next_d3 * row_0_3 + next_d10 * covariance.elements[(0, 10)] + next_d11 * covariance.elements[(0, 11)] + next_d12 * covariance.elements[(0, 12)];
     covariance.elements[(0, 0)] = block_0_0;

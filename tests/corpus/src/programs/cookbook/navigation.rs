@@ -175,27 +175,27 @@ fn predicted(
     let row_4_4 = covariance.elements[(4, 4)] + next_d6_3 * covariance.elements[(6, 4)] + next_d7_3 * covariance.elements[(7, 4)] + next_d8_2 * covariance.elements[(8, 4)];
     let row_4_5 = covariance.elements[(4, 5)] + next_d6_3 * covariance.elements[(6, 5)] + next_d7_3 * covariance.elements[(7, 5)] + next_d8_2 * covariance.elements[(8, 5)];
     let row_5_5 = covariance.elements[(5, 5)] + next_d6_5 * covariance.elements[(6, 5)] + next_d7_4 * covariance.elements[(7, 5)];
-    for k_2 in 0..3 {
-        let row_3 = covariance.elements[(3, k_2)] + next_d6 * covariance.elements[(6, k_2)] + next_d7 * covariance.elements[(7, k_2)] + next_d8 * covariance.elements[(8, k_2)];
-        let row_4 = covariance.elements[(4, k_2)] + next_d6_3 * covariance.elements[(6, k_2)] + next_d7_3 * covariance.elements[(7, k_2)] + next_d8_2 * covariance.elements[(8, k_2)];
-        let row_5 = covariance.elements[(5, k_2)] + next_d6_5 * covariance.elements[(6, k_2)] + next_d7_4 * covariance.elements[(7, k_2)];
-        covariance.elements[(3, k_2)] = row_3;
-        covariance.elements[(k_2, 3)] = row_3;
-        covariance.elements[(4, k_2)] = row_4;
-        covariance.elements[(k_2, 4)] = row_4;
-        covariance.elements[(5, k_2)] = row_5;
-        covariance.elements[(k_2, 5)] = row_5;
+    for k in 0..3 {
+        let row_3 = covariance.elements[(3, k)] + next_d6 * covariance.elements[(6, k)] + next_d7 * covariance.elements[(7, k)] + next_d8 * covariance.elements[(8, k)];
+        let row_4 = covariance.elements[(4, k)] + next_d6_3 * covariance.elements[(6, k)] + next_d7_3 * covariance.elements[(7, k)] + next_d8_2 * covariance.elements[(8, k)];
+        let row_5 = covariance.elements[(5, k)] + next_d6_5 * covariance.elements[(6, k)] + next_d7_4 * covariance.elements[(7, k)];
+        covariance.elements[(3, k)] = row_3;
+        covariance.elements[(k, 3)] = row_3;
+        covariance.elements[(4, k)] = row_4;
+        covariance.elements[(k, 4)] = row_4;
+        covariance.elements[(5, k)] = row_5;
+        covariance.elements[(k, 5)] = row_5;
     }
-    for k_3 in 6..12 {
-        let row_3_2 = covariance.elements[(3, k_3)] + next_d6 * covariance.elements[(6, k_3)] + next_d7 * covariance.elements[(7, k_3)] + next_d8 * covariance.elements[(8, k_3)];
-        let row_4_2 = covariance.elements[(4, k_3)] + next_d6_3 * covariance.elements[(6, k_3)] + next_d7_3 * covariance.elements[(7, k_3)] + next_d8_2 * covariance.elements[(8, k_3)];
-        let row_5_2 = covariance.elements[(5, k_3)] + next_d6_5 * covariance.elements[(6, k_3)] + next_d7_4 * covariance.elements[(7, k_3)];
-        covariance.elements[(3, k_3)] = row_3_2;
-        covariance.elements[(k_3, 3)] = row_3_2;
-        covariance.elements[(4, k_3)] = row_4_2;
-        covariance.elements[(k_3, 4)] = row_4_2;
-        covariance.elements[(5, k_3)] = row_5_2;
-        covariance.elements[(k_3, 5)] = row_5_2;
+    for k in 6..12 {
+        let row_3 = covariance.elements[(3, k)] + next_d6 * covariance.elements[(6, k)] + next_d7 * covariance.elements[(7, k)] + next_d8 * covariance.elements[(8, k)];
+        let row_4 = covariance.elements[(4, k)] + next_d6_3 * covariance.elements[(6, k)] + next_d7_3 * covariance.elements[(7, k)] + next_d8_2 * covariance.elements[(8, k)];
+        let row_5 = covariance.elements[(5, k)] + next_d6_5 * covariance.elements[(6, k)] + next_d7_4 * covariance.elements[(7, k)];
+        covariance.elements[(3, k)] = row_3;
+        covariance.elements[(k, 3)] = row_3;
+        covariance.elements[(4, k)] = row_4;
+        covariance.elements[(k, 4)] = row_4;
+        covariance.elements[(5, k)] = row_5;
+        covariance.elements[(k, 5)] = row_5;
     }
     let block_3_3 = row_3_3 + next_d6 * covariance.elements[(3, 6)] + next_d7 * covariance.elements[(3, 7)] + next_d8 * covariance.elements[(3, 8)];
     covariance.elements[(3, 3)] = block_3_3;
@@ -221,27 +221,27 @@ fn predicted(
     let row_8_6 = covariance.elements[(8, 6)] + next_d6_6 * covariance.elements[(6, 6)] + next_d7_5 * covariance.elements[(7, 6)] + next_d10_3 * covariance.elements[(10, 6)] + next_d11_3 * covariance.elements[(11, 6)];
     let row_8_7 = covariance.elements[(8, 7)] + next_d6_6 * covariance.elements[(6, 7)] + next_d7_5 * covariance.elements[(7, 7)] + next_d10_3 * covariance.elements[(10, 7)] + next_d11_3 * covariance.elements[(11, 7)];
     let row_8_8 = covariance.elements[(8, 8)] + next_d6_6 * covariance.elements[(6, 8)] + next_d7_5 * covariance.elements[(7, 8)] + next_d10_3 * covariance.elements[(10, 8)] + next_d11_3 * covariance.elements[(11, 8)];
-    for k_4 in 0..6 {
-        let row_6 = next_d6_2 * covariance.elements[(6, k_4)] + next_d7_2 * covariance.elements[(7, k_4)] + next_d9 * covariance.elements[(9, k_4)] + next_d10 * covariance.elements[(10, k_4)] + next_d11 * covariance.elements[(11, k_4)];
-        let row_7 = covariance.elements[(7, k_4)] + next_d6_4 * covariance.elements[(6, k_4)] + next_d10_2 * covariance.elements[(10, k_4)] + next_d11_2 * covariance.elements[(11, k_4)];
-        let row_8 = covariance.elements[(8, k_4)] + next_d6_6 * covariance.elements[(6, k_4)] + next_d7_5 * covariance.elements[(7, k_4)] + next_d10_3 * covariance.elements[(10, k_4)] + next_d11_3 * covariance.elements[(11, k_4)];
-        covariance.elements[(6, k_4)] = row_6;
-        covariance.elements[(k_4, 6)] = row_6;
-        covariance.elements[(7, k_4)] = row_7;
-        covariance.elements[(k_4, 7)] = row_7;
-        covariance.elements[(8, k_4)] = row_8;
-        covariance.elements[(k_4, 8)] = row_8;
+    for k in 0..6 {
+        let row_6 = next_d6_2 * covariance.elements[(6, k)] + next_d7_2 * covariance.elements[(7, k)] + next_d9 * covariance.elements[(9, k)] + next_d10 * covariance.elements[(10, k)] + next_d11 * covariance.elements[(11, k)];
+        let row_7 = covariance.elements[(7, k)] + next_d6_4 * covariance.elements[(6, k)] + next_d10_2 * covariance.elements[(10, k)] + next_d11_2 * covariance.elements[(11, k)];
+        let row_8 = covariance.elements[(8, k)] + next_d6_6 * covariance.elements[(6, k)] + next_d7_5 * covariance.elements[(7, k)] + next_d10_3 * covariance.elements[(10, k)] + next_d11_3 * covariance.elements[(11, k)];
+        covariance.elements[(6, k)] = row_6;
+        covariance.elements[(k, 6)] = row_6;
+        covariance.elements[(7, k)] = row_7;
+        covariance.elements[(k, 7)] = row_7;
+        covariance.elements[(8, k)] = row_8;
+        covariance.elements[(k, 8)] = row_8;
     }
-    for k_5 in 9..12 {
-        let row_6_2 = next_d6_2 * covariance.elements[(6, k_5)] + next_d7_2 * covariance.elements[(7, k_5)] + next_d9 * covariance.elements[(9, k_5)] + next_d10 * covariance.elements[(10, k_5)] + next_d11 * covariance.elements[(11, k_5)];
-        let row_7_2 = covariance.elements[(7, k_5)] + next_d6_4 * covariance.elements[(6, k_5)] + next_d10_2 * covariance.elements[(10, k_5)] + next_d11_2 * covariance.elements[(11, k_5)];
-        let row_8_2 = covariance.elements[(8, k_5)] + next_d6_6 * covariance.elements[(6, k_5)] + next_d7_5 * covariance.elements[(7, k_5)] + next_d10_3 * covariance.elements[(10, k_5)] + next_d11_3 * covariance.elements[(11, k_5)];
-        covariance.elements[(6, k_5)] = row_6_2;
-        covariance.elements[(k_5, 6)] = row_6_2;
-        covariance.elements[(7, k_5)] = row_7_2;
-        covariance.elements[(k_5, 7)] = row_7_2;
-        covariance.elements[(8, k_5)] = row_8_2;
-        covariance.elements[(k_5, 8)] = row_8_2;
+    for k in 9..12 {
+        let row_6 = next_d6_2 * covariance.elements[(6, k)] + next_d7_2 * covariance.elements[(7, k)] + next_d9 * covariance.elements[(9, k)] + next_d10 * covariance.elements[(10, k)] + next_d11 * covariance.elements[(11, k)];
+        let row_7 = covariance.elements[(7, k)] + next_d6_4 * covariance.elements[(6, k)] + next_d10_2 * covariance.elements[(10, k)] + next_d11_2 * covariance.elements[(11, k)];
+        let row_8 = covariance.elements[(8, k)] + next_d6_6 * covariance.elements[(6, k)] + next_d7_5 * covariance.elements[(7, k)] + next_d10_3 * covariance.elements[(10, k)] + next_d11_3 * covariance.elements[(11, k)];
+        covariance.elements[(6, k)] = row_6;
+        covariance.elements[(k, 6)] = row_6;
+        covariance.elements[(7, k)] = row_7;
+        covariance.elements[(k, 7)] = row_7;
+        covariance.elements[(8, k)] = row_8;
+        covariance.elements[(k, 8)] = row_8;
     }
     let block_6_6 = next_d6_2 * row_6_6 + next_d7_2 * row_6_7 + next_d9 * covariance.elements[(6, 9)] + next_d10 * covariance.elements[(6, 10)] + next_d11 * covariance.elements[(6, 11)];
     covariance.elements[(6, 6)] = block_6_6;

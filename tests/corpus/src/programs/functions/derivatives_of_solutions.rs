@@ -89,7 +89,7 @@ pub fn surprise_gradient(
 ) -> (f64, SMatrix<f64, 1, 4>, SMatrix<f64, 1, 2>) {
     let lower = bessemer::linear::kernels::cholesky_lower(s);
     let factor_0 = lower[(0, 0)] > 0.0;
-    let result_2: f64;
+    let result: f64;
     let result_d0: f64;
     let result_d1: f64;
     let result_d3: f64;
@@ -106,15 +106,15 @@ pub fn surprise_gradient(
         let x_d3 = difference[0] * solution_d[(0, 2)] + difference[1] * solution_d[(1, 2)];
         let x_d4 = solution[0] + difference[0] * solution_d[(0, 3)] + difference[1] * solution_d[(1, 3)];
         let x_d5 = difference[0] * solution_d[(0, 4)] + (solution[1] + difference[1] * solution_d[(1, 4)]);
-        result_2 = x;
+        result = x;
         result_d0 = x_d0;
         result_d1 = x_d1;
         result_d3 = x_d3;
         result_d4 = x_d4;
         result_d5 = x_d5;
     } else {
-        let result = -1.0;
-        result_2 = result;
+        let result_2 = -1.0;
+        result = result_2;
         result_d0 = 0.0;
         result_d1 = 0.0;
         result_d3 = 0.0;
@@ -128,7 +128,7 @@ pub fn surprise_gradient(
     let mut jacobian_2: SMatrix<f64, 1, 2> = SMatrix::zeros();
     jacobian_2[(0, 0)] = result_d4;
     jacobian_2[(0, 1)] = result_d5;
-    (result_2, jacobian, jacobian_2)
+    (result, jacobian, jacobian_2)
 }
 
 /// The inverse of a matrix times a number; the matrix itself if there is none.
