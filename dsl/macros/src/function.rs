@@ -31,10 +31,8 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     } else if !arguments.is_empty() && role == Role::Public && depth == 0 && !is_derivative {
         refusals.add(&arguments, refuse::ARGUMENTS);
     }
-    // rustc reports a function that does not exist at the author's path.
-    let named = derivative
-        .as_ref()
-        .map(|(_, of)| quote! { const _: () = { #[allow(unused_imports)] use #of as _; }; });
+    // rustc reports a function that does not exist at the author's path, and takes one that does for used.
+    let named = derivative.as_ref().map(|(_, of)| quote! { const _: () = { let _ = #of; }; });
     let item = marked(item, refusals, depth, |function, refusals| {
         if role != Role::Public {
             lower::without_returns(&function.block, refusals);

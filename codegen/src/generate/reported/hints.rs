@@ -26,6 +26,9 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         "E0282" | "E0283" if matches!(&*marked, "sum" | "product") => {
             format!("name the type of the result: `.{marked}::<f64>()`")
         }
+        "E0282" | "E0283" if ["(derivative(", "(gradient("].iter().any(|it| message.mark().is_some_and(|mark| mark.line.contains(it))) => {
+            format!("differentiate an instance: a function without type parameters that calls `{marked}`")
+        }
         "E0277" if title.contains("f64: Ord") || title.contains("f32: Ord") => match &*marked {
             "max" => "floats have no greatest with NaN among them: `.fold(f64::NEG_INFINITY, |a, b| a.max(b))`",
             "min" => "floats have no least with NaN among them: `.fold(f64::INFINITY, |a, b| a.min(b))`",
