@@ -16,130 +16,196 @@
 #include <string.h>
 
 #include "bessemer_calls.h"
-#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
-#include "covariance.h"
-#include "geometry.h"
-#include "product_f64_6x6_6x1.h"
+#include "correct.h"
+#include "sine.h"
+#include "symmetric.h"
 
-/** Row and column of the gyroscope's bias about the body's x. */
-static const uint64_t BIAS_X = UINT64_C(3);
-
-/** Row and column of the gyroscope's bias about the body's y. */
-static const uint64_t BIAS_Y = UINT64_C(4);
-
-/** Row and column of the gyroscope's bias about the body's z. */
-static const uint64_t BIAS_Z = UINT64_C(5);
-
-/** Row and column of pitch. */
-static const uint64_t PITCH = UINT64_C(1);
-
-/** Row and column of roll. */
-static const uint64_t ROLL = UINT64_C(0);
-
-/** Row and column of yaw. */
-static const uint64_t YAW = UINT64_C(2);
-
-static void attitude_filter_advance(const orientation_t *orientation, const double rates[3],
-    double period, double advance[BESSEMER_RESTRICT 36]);
+static void attitude_filter_predicted(const double state[6], const double measured[3],
+    double period, symmetric_f64_6_t *BESSEMER_RESTRICT covariance,
+    double result[BESSEMER_RESTRICT 6]);
 
 void attitude_filter_level(double angle, double bias, attitude_filter_t *attitude_filter)
 {
-    for (uint32_t i = 0U; i < 36U; i++) {
-        attitude_filter->covariance[i] = 0.0;
-    }
+    double variances[6];
     for (uint32_t n = 0U; n < 3U; n++) {
-        attitude_filter->covariance[n + 6U * n] = angle * angle;
-        attitude_filter->covariance[n + 3U + 6U * (n + 3U)] = bias * bias;
+        variances[n] = angle * angle;
+        variances[n + 3U] = bias * bias;
     }
-    attitude_filter->angles[0] = 0.0;
-    attitude_filter->angles[1] = 0.0;
-    attitude_filter->angles[2] = 0.0;
-    attitude_filter->bias[0] = 0.0;
-    attitude_filter->bias[1] = 0.0;
-    attitude_filter->bias[2] = 0.0;
+    symmetric_f64_6_diagonal(variances, &attitude_filter->covariance);
+    for (uint32_t i = 0U; i < 6U; i++) {
+        attitude_filter->state[i] = 0.0;
+    }
+}
+
+void attitude_filter_angles(const attitude_filter_t *self, double result[BESSEMER_RESTRICT 3])
+{
+    result[0] = self->state[0];
+    result[1] = self->state[1];
+    result[2] = self->state[2];
+}
+
+void attitude_filter_rates(const attitude_filter_t *self, const double measured[3],
+    double result[BESSEMER_RESTRICT 3])
+{
+    result[0] = measured[0] - self->state[3];
+    result[1] = measured[1] - self->state[4];
+    result[2] = measured[2] - self->state[5];
 }
 
 void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const double measured[3],
-    double period, double noise, double drift, double work[BESSEMER_RESTRICT 108])
+    double period, double noise, double drift)
 {
-    orientation_t orientation;
-    orientation_of(self->angles, &orientation);
-    const double rates[3] = {
-        measured[0] - self->bias[0],
-        measured[1] - self->bias[1],
-        measured[2] - self->bias[2]
-    };
-    double *const advance = work;
-    attitude_filter_advance(&orientation, rates, period, advance);
-    double angles_angle_rates[3];
-    orientation_angle_rates(&orientation, rates, angles_angle_rates);
-    self->angles[0] += angles_angle_rates[0] * period;
-    self->angles[1] += angles_angle_rates[1] * period;
-    self->angles[2] += angles_angle_rates[2] * period;
+    double state_next[6];
+    attitude_filter_predicted(self->state, measured, period, &self->covariance, state_next);
+    (void)memcpy(self->state, state_next, sizeof(double[6]));
     const double turn = noise * period;
     const double wander = drift * drift * period;
-    double growth[6];
     for (uint32_t n = 0U; n < 3U; n++) {
-        growth[n] = turn * turn;
-        growth[n + 3U] = wander;
+        self->covariance.elements[n + 6U * n] += turn * turn;
+        self->covariance.elements[n + 3U + 6U * (n + 3U)] += wander;
     }
-    covariance_grown_6(self->covariance, advance, growth, &work[36], self->covariance);
 }
 
-bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, const double row[6],
-    const double moves[6], double innovation, double variance, double gate,
-    double work[BESSEMER_RESTRICT 108])
+bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, uint64_t angle,
+    const bool considered[6], double innovation, double variance, double gate)
 {
-    double spread[6];
-    product_f64_6x6_6x1(self->covariance, row, spread);
-    const double expected = 0.0 + row[0] * spread[0] + row[1] * spread[1] + row[2] * spread[2]
-        + row[3] * spread[3] + row[4] * spread[4] + row[5] * spread[5] + variance;
-
-    /*
-     * A certain state with a certain measurement leaves no correction; neither does a measurement of infinite variance.
-     */
-    const bool learns = expected > 0.0 && isfinite(expected) != 0;
-    const bool plausible = learns && innovation * innovation <= gate * gate * expected;
-    if (!plausible) {
-        return false;
-    }
-    double gain[6];
-    BESSEMER_FEW_PASSES
-    for (uint32_t i = 0U; i < 6U; i++) {
-        gain[i] = spread[i] * moves[i] / expected;
-    }
-    for (uint32_t n = 0U; n < 3U; n++) {
-        self->angles[n] += gain[n] * innovation;
-        self->bias[n] += gain[n + 3U] * innovation;
-    }
-    covariance_corrected_6(self->covariance, row, gain, variance, work, self->covariance);
-    return true;
+    correction_f64_t report;
+    symmetric_f64_6_correct_considering(&self->covariance, self->state, considered, angle,
+        innovation, variance, gate * gate, &report);
+    return report.status == CORRECT_STATUS_CORRECTED;
 }
 
-/**
- * Returns the Jacobian of the state over one period: the derivative of (2.17).
- *
- * `advance` by columns: [row + 6 * column].
- */
-static void attitude_filter_advance(const orientation_t *orientation, const double rates[3],
-    double period, double advance[BESSEMER_RESTRICT 36])
+/** Returns the state after one period, s. The covariance becomes the covariance of its errors. */
+static void attitude_filter_predicted(const double state[6], const double measured[3],
+    double period, symmetric_f64_6_t *BESSEMER_RESTRICT covariance,
+    double result[BESSEMER_RESTRICT 6])
 {
-    const double c2 = orientation_divisor(orientation);
-    const double along = orientation->c3 * rates[0] + orientation->s3 * rates[1];
-    const double across = orientation->s3 * rates[0] - orientation->c3 * rates[1];
-    const double lean = orientation->s2 / c2;
-    (void)memcpy(advance, BESSEMER_IDENTITY_6, sizeof(double[36]));
-    advance[ROLL + 6U * PITCH] = -period * along * lean / c2;
-    advance[ROLL + 6U * YAW] = period * across / c2;
-    advance[PITCH + 6U * YAW] = period * along;
-    advance[YAW + 6U * PITCH] = -period * along / (c2 * c2);
-    advance[YAW + 6U * YAW] += period * across * lean;
-    advance[ROLL + 6U * BIAS_X] = period * orientation->c3 / c2;
-    advance[ROLL + 6U * BIAS_Y] = period * orientation->s3 / c2;
-    advance[PITCH + 6U * BIAS_X] = -period * orientation->s3;
-    advance[PITCH + 6U * BIAS_Y] = period * orientation->c3;
-    advance[YAW + 6U * BIAS_X] = period * orientation->c3 * lean;
-    advance[YAW + 6U * BIAS_Y] = period * orientation->s3 * lean;
-    advance[YAW + 6U * BIAS_Z] = period;
+    const double sin_state_1 = sine_sin(state[1]);
+    const double cos_state_1 = sine_cos(state[1]);
+    const double slope = -sin_state_1;
+    const double sin_state_2 = sine_sin(state[2]);
+    const double cos_state_2 = sine_cos(state[2]);
+    const double slope_2 = -sin_state_2;
+    const double rates_0 = measured[0] - state[3];
+    const double rates_1 = measured[1] - state[4];
+    const double rates_2 = measured[2] - state[5];
+    const double along = cos_state_2 * rates_0 + sin_state_2 * rates_1;
+    const double along_d2 = rates_0 * slope_2 + rates_1 * cos_state_2;
+    const double along_d3 = -cos_state_2;
+    const double along_d4 = -sin_state_2;
+    const double across = sin_state_2 * rates_0 - cos_state_2 * rates_1;
+    const double across_d2 = rates_0 * cos_state_2 - rates_1 * slope_2;
+    const double across_d3 = -sin_state_2;
+    const double roll_rate = fabs(cos_state_1);
+    double result_value;
+    double result_d1;
+    if (roll_rate < 0.01) {
+        const double result_2 = copysign_f64(0.01, cos_state_1);
+        result_value = result_2;
+        result_d1 = 0.0;
+    } else {
+        result_value = cos_state_1;
+        result_d1 = slope;
+    }
+    const double result_2 = -along / result_value;
+    const double roll_rate_d1 = -(result_2 * result_d1) / result_value;
+    const double roll_rate_d2 = -along_d2 / result_value;
+    const double roll_rate_d3 = -along_d3 / result_value;
+    const double roll_rate_d4 = -along_d4 / result_value;
+    const double result_2_2 = sin_state_1 * result_2 - rates_2;
+    const double result_2_d1 = result_2 * cos_state_1 + sin_state_1 * roll_rate_d1;
+    const double result_2_d2 = sin_state_1 * roll_rate_d2;
+    const double result_2_d3 = sin_state_1 * roll_rate_d3;
+    const double result_2_d4 = sin_state_1 * roll_rate_d4;
+    const double next = state[0] + result_2 * period;
+    const double next_d1 = period * roll_rate_d1;
+    const double next_d2 = period * roll_rate_d2;
+    const double next_d3 = period * roll_rate_d3;
+    const double next_d4 = period * roll_rate_d4;
+    const double next_2 = state[1] + across * period;
+    const double next_d2_2 = period * across_d2;
+    const double next_d3_2 = period * across_d3;
+    const double next_d4_2 = period * cos_state_2;
+    const double next_3 = state[2] + result_2_2 * period;
+    const double next_d1_2 = period * result_2_d1;
+    const double next_d2_3 = 1.0 + period * result_2_d2;
+    const double next_d3_3 = period * result_2_d3;
+    const double next_d4_3 = period * result_2_d4;
+    const double row_0_0 = covariance->elements[0 + 6 * 0]
+        + next_d1 * covariance->elements[1 + 6 * 0] + next_d2 * covariance->elements[2 + 6 * 0]
+        + next_d3 * covariance->elements[3 + 6 * 0] + next_d4 * covariance->elements[4 + 6 * 0];
+    const double row_0_1 = covariance->elements[0 + 6 * 1]
+        + next_d1 * covariance->elements[1 + 6 * 1] + next_d2 * covariance->elements[2 + 6 * 1]
+        + next_d3 * covariance->elements[3 + 6 * 1] + next_d4 * covariance->elements[4 + 6 * 1];
+    const double row_0_2 = covariance->elements[0 + 6 * 2]
+        + next_d1 * covariance->elements[1 + 6 * 2] + next_d2 * covariance->elements[2 + 6 * 2]
+        + next_d3 * covariance->elements[3 + 6 * 2] + next_d4 * covariance->elements[4 + 6 * 2];
+    const double row_1_1 = covariance->elements[1 + 6 * 1]
+        + next_d2_2 * covariance->elements[2 + 6 * 1] + next_d3_2 * covariance->elements[3 + 6 * 1]
+        + next_d4_2 * covariance->elements[4 + 6 * 1];
+    const double row_1_2 = covariance->elements[1 + 6 * 2]
+        + next_d2_2 * covariance->elements[2 + 6 * 2] + next_d3_2 * covariance->elements[3 + 6 * 2]
+        + next_d4_2 * covariance->elements[4 + 6 * 2];
+    const double row_2_1 = next_d2_3 * covariance->elements[2 + 6 * 1]
+        + next_d1_2 * covariance->elements[1 + 6 * 1] + next_d3_3 * covariance->elements[3 + 6 * 1]
+        + next_d4_3 * covariance->elements[4 + 6 * 1] + period * covariance->elements[5 + 6 * 1];
+    const double row_2_2 = next_d2_3 * covariance->elements[2 + 6 * 2]
+        + next_d1_2 * covariance->elements[1 + 6 * 2] + next_d3_3 * covariance->elements[3 + 6 * 2]
+        + next_d4_3 * covariance->elements[4 + 6 * 2] + period * covariance->elements[5 + 6 * 2];
+    for (uint32_t k = 3U; k < 6U; k++) {
+        const double row_0 = covariance->elements[0U + 6U * k]
+            + next_d1 * covariance->elements[1U + 6U * k]
+            + next_d2 * covariance->elements[2U + 6U * k]
+            + next_d3 * covariance->elements[3U + 6U * k]
+            + next_d4 * covariance->elements[4U + 6U * k];
+        const double row_1 = covariance->elements[1U + 6U * k]
+            + next_d2_2 * covariance->elements[2U + 6U * k]
+            + next_d3_2 * covariance->elements[3U + 6U * k]
+            + next_d4_2 * covariance->elements[4U + 6U * k];
+        const double row_2 = next_d2_3 * covariance->elements[2U + 6U * k]
+            + next_d1_2 * covariance->elements[1U + 6U * k]
+            + next_d3_3 * covariance->elements[3U + 6U * k]
+            + next_d4_3 * covariance->elements[4U + 6U * k]
+            + period * covariance->elements[5U + 6U * k];
+        covariance->elements[0U + 6U * k] = row_0;
+        covariance->elements[k + 6U * 0U] = row_0;
+        covariance->elements[1U + 6U * k] = row_1;
+        covariance->elements[k + 6U * 1U] = row_1;
+        covariance->elements[2U + 6U * k] = row_2;
+        covariance->elements[k + 6U * 2U] = row_2;
+    }
+    const double block_0_0 = row_0_0 + next_d1 * row_0_1 + next_d2 * row_0_2
+        + next_d3 * covariance->elements[0 + 6 * 3] + next_d4 * covariance->elements[0 + 6 * 4];
+    covariance->elements[0 + 6 * 0] = block_0_0;
+    const double block_1_0 = row_0_1 + next_d2_2 * row_0_2
+        + next_d3_2 * covariance->elements[0 + 6 * 3]
+        + next_d4_2 * covariance->elements[0 + 6 * 4];
+    covariance->elements[1 + 6 * 0] = block_1_0;
+    covariance->elements[0 + 6 * 1] = block_1_0;
+    const double block_1_1 = row_1_1 + next_d2_2 * row_1_2
+        + next_d3_2 * covariance->elements[1 + 6 * 3]
+        + next_d4_2 * covariance->elements[1 + 6 * 4];
+    covariance->elements[1 + 6 * 1] = block_1_1;
+    const double block_2_0 = next_d2_3 * row_0_2 + next_d1_2 * row_0_1
+        + next_d3_3 * covariance->elements[0 + 6 * 3] + next_d4_3 * covariance->elements[0 + 6 * 4]
+        + period * covariance->elements[0 + 6 * 5];
+    covariance->elements[2 + 6 * 0] = block_2_0;
+    covariance->elements[0 + 6 * 2] = block_2_0;
+    const double block_2_1 = next_d2_3 * row_1_2 + next_d1_2 * row_1_1
+        + next_d3_3 * covariance->elements[1 + 6 * 3] + next_d4_3 * covariance->elements[1 + 6 * 4]
+        + period * covariance->elements[1 + 6 * 5];
+    covariance->elements[2 + 6 * 1] = block_2_1;
+    covariance->elements[1 + 6 * 2] = block_2_1;
+    const double block_2_2 = next_d2_3 * row_2_2 + next_d1_2 * row_2_1
+        + next_d3_3 * covariance->elements[2 + 6 * 3] + next_d4_3 * covariance->elements[2 + 6 * 4]
+        + period * covariance->elements[2 + 6 * 5];
+    covariance->elements[2 + 6 * 2] = block_2_2;
+    result[0] = next;
+    result[1] = next_2;
+    result[2] = next_3;
+    result[3] = state[3];
+    result[4] = state[4];
+    result[5] = state[5];
 }

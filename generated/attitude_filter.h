@@ -15,8 +15,10 @@
 #define ATTITUDE_FILTER_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "bessemer_calls.h"
+#include "symmetric.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -24,40 +26,36 @@ extern "C" {
 
 /** The aircraft's attitude. */
 typedef struct {
-    /** Roll, pitch and yaw, rad. */
-    double angles[3];
-    /** Biases of the gyroscope, rad/s. */
-    double bias[3];
-    /**
-     * Covariance of the errors: roll, pitch, yaw (rad²), then the biases about the body's x, y, z
-     * (rad²/s²); symmetric. A matrix by columns: [row + 6 * column].
-     */
-    double covariance[36];
+    /** Roll, pitch and yaw, rad, then the gyroscope's biases about the body's x, y and z, rad/s. */
+    double state[6];
+    /** Covariance of the errors of these, in this order. */
+    symmetric_f64_6_t covariance;
 } attitude_filter_t;
 
 /** Returns a level attitude with standard deviations `angle`, rad, and `bias`, rad/s. */
 void attitude_filter_level(double angle, double bias, attitude_filter_t *attitude_filter);
 
+/** Returns roll, pitch and yaw, rad. */
+void attitude_filter_angles(const attitude_filter_t *self, double result[BESSEMER_RESTRICT 3]);
+
+/** Returns measured rates without the gyroscope's biases, rad/s. */
+void attitude_filter_rates(const attitude_filter_t *self, const double measured[3],
+    double result[BESSEMER_RESTRICT 3]);
+
 /**
  * Predicts one period, s, from the measured rates, rad/s, with standard deviation `noise`, rad/s, and bias drift
  * `drift`, rad/s in a second.
- * `work` is scratch memory; its contents mean nothing between calls.
  */
 void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const double measured[3],
-    double period, double noise, double drift, double work[BESSEMER_RESTRICT 108]);
+    double period, double noise, double drift);
 
 /**
- * Corrects the state by a measurement of the angle that `row` selects: `innovation` is measured minus estimated.
+ * Corrects the state by a measurement of the angle at an index: `innovation` is measured minus estimated.
  * The measurement is rejected, and nothing changes, if the innovation exceeds `gate` standard deviations or is not
- * a number.
- *
- * `moves` has a 1 for each part of the state that it may change, and 0 elsewhere: Joseph's form holds
- * for any gain.
- * `work` is scratch memory; its contents mean nothing between calls.
+ * a number. The `considered` parts of the state never change.
  */
-bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, const double row[6],
-    const double moves[6], double innovation, double variance, double gate,
-    double work[BESSEMER_RESTRICT 108]);
+bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, uint64_t angle,
+    const bool considered[6], double innovation, double variance, double gate);
 
 #ifdef __cplusplus
 }

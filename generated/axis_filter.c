@@ -10,16 +10,13 @@
  */
 #include "axis_filter.h"
 
-#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 #include "bessemer_calls.h"
 #include "bessemer_target.h"
-#include "covariance.h"
-
-/** Row of the accelerometer's bias, m/s². */
-static const uint64_t BIAS = UINT64_C(2);
+#include "correct.h"
+#include "symmetric.h"
 
 /** Row of the position, m. */
 static const uint64_t POSITION = UINT64_C(0);
@@ -27,10 +24,13 @@ static const uint64_t POSITION = UINT64_C(0);
 /** Row of the velocity, m/s. */
 static const uint64_t VELOCITY = UINT64_C(1);
 
+static void axis_filter_predicted(const double state[3], double acceleration, double period,
+    symmetric_f64_3_t *BESSEMER_RESTRICT covariance, double result[BESSEMER_RESTRICT 3]);
+
 void axis_filter_at_rest(double place, double bias, axis_filter_t *axis_filter)
 {
-    const double spread[3] = {place * place, 0.01, bias * bias};
-    covariance_diagonal_3(spread, axis_filter->covariance);
+    const double variances[3] = {place * place, 0.01, bias * bias};
+    symmetric_f64_3_diagonal(variances, &axis_filter->covariance);
     axis_filter->state[0] = 0.0;
     axis_filter->state[1] = 0.0;
     axis_filter->state[2] = 0.0;
@@ -39,26 +39,22 @@ void axis_filter_at_rest(double place, double bias, axis_filter_t *axis_filter)
 void axis_filter_predict(axis_filter_t *self, double acceleration, double period, double noise,
     double drift)
 {
-    const double real = acceleration - self->state[BIAS];
-    self->state[POSITION] += period * (self->state[VELOCITY] + 0.5 * period * real);
-    self->state[VELOCITY] += period * real;
-    const double half = -0.5 * period * period;
-    const double advance[9] = {
-        1.0, 0.0, 0.0,
-        period, 1.0, 0.0,
-        half, -period, 1.0
-    };
+    double state_next[3];
+    axis_filter_predicted(self->state, acceleration, period, &self->covariance, state_next);
+    self->state[0] = state_next[0];
+    self->state[1] = state_next[1];
+    self->state[2] = state_next[2];
     const double push = noise * period;
     const double wander = drift * drift * period;
     const double slip = 0.5 * push * period;
-    const double growth[3] = {slip * slip, push * push, wander};
-    covariance_grown_3(self->covariance, advance, growth, self->covariance);
+    const double values[3] = {slip * slip, push * push, wander};
+    symmetric_f64_3_add_diagonal(&self->covariance, values);
 }
 
 void axis_filter_inflate(axis_filter_t *self)
 {
-    self->covariance[POSITION + 3U * POSITION] += 0.25;
-    self->covariance[VELOCITY + 3U * VELOCITY] += 0.25;
+    self->covariance.elements[POSITION + 3U * POSITION] += 0.25;
+    self->covariance.elements[VELOCITY + 3U * VELOCITY] += 0.25;
 }
 
 bool axis_filter_correct(axis_filter_t *BESSEMER_RESTRICT self, const double row[3],
@@ -66,28 +62,45 @@ bool axis_filter_correct(axis_filter_t *BESSEMER_RESTRICT self, const double row
 {
     const double innovation = measured
         - (row[0] * self->state[0] + row[1] * self->state[1] + row[2] * self->state[2]);
-    const double spread[3] = {
-        self->covariance[0 + 3 * 0] * row[0] + self->covariance[0 + 3 * 1] * row[1]
-            + self->covariance[0 + 3 * 2] * row[2],
-        self->covariance[1 + 3 * 0] * row[0] + self->covariance[1 + 3 * 1] * row[1]
-            + self->covariance[1 + 3 * 2] * row[2],
-        self->covariance[2 + 3 * 0] * row[0] + self->covariance[2 + 3 * 1] * row[1]
-            + self->covariance[2 + 3 * 2] * row[2]
-    };
-    const double expected = row[0] * spread[0] + row[1] * spread[1] + row[2] * spread[2] + variance;
+    correction_f64_t report;
+    symmetric_f64_3_correct(&self->covariance, self->state, row, innovation, variance, gate * gate,
+        &report);
+    return report.status == CORRECT_STATUS_CORRECTED;
+}
 
-    /*
-     * A certain state with a certain measurement leaves no correction; neither does a measurement of infinite variance.
-     */
-    const bool learns = expected > 0.0 && isfinite(expected) != 0;
-    const bool plausible = learns && innovation * innovation <= gate * gate * expected;
-    if (!plausible) {
-        return false;
-    }
-    const double gain[3] = {spread[0] / expected, spread[1] / expected, spread[2] / expected};
-    self->state[0] += gain[0] * innovation;
-    self->state[1] += gain[1] * innovation;
-    self->state[2] += gain[2] * innovation;
-    covariance_corrected_3(self->covariance, row, gain, variance, self->covariance);
-    return true;
+/** Returns the state after one period, s. The covariance becomes the covariance of its errors. */
+static void axis_filter_predicted(const double state[3], double acceleration, double period,
+    symmetric_f64_3_t *BESSEMER_RESTRICT covariance, double result[BESSEMER_RESTRICT 3])
+{
+    const double real = acceleration - state[2];
+    const double result_value = 0.5 * period;
+    const double result_0 = state[0] + period * (state[1] + result_value * real);
+    const double result_0_d2 = period * -result_value;
+    const double result_1 = state[1] + period * real;
+    const double result_1_d2 = -period;
+    const double row_0_0 = covariance->elements[0 + 3 * 0]
+        + period * covariance->elements[1 + 3 * 0] + result_0_d2 * covariance->elements[2 + 3 * 0];
+    const double row_0_1 = covariance->elements[0 + 3 * 1]
+        + period * covariance->elements[1 + 3 * 1] + result_0_d2 * covariance->elements[2 + 3 * 1];
+    const double row_1_1 = covariance->elements[1 + 3 * 1]
+        + result_1_d2 * covariance->elements[2 + 3 * 1];
+    const double row_0 = covariance->elements[0 + 3 * 2] + period * covariance->elements[1 + 3 * 2]
+        + result_0_d2 * covariance->elements[2 + 3 * 2];
+    const double row_1 = covariance->elements[1 + 3 * 2]
+        + result_1_d2 * covariance->elements[2 + 3 * 2];
+    covariance->elements[0 + 3 * 2] = row_0;
+    covariance->elements[2 + 3 * 0] = row_0;
+    covariance->elements[1 + 3 * 2] = row_1;
+    covariance->elements[2 + 3 * 1] = row_1;
+    const double block_0_0 = row_0_0 + period * row_0_1
+        + result_0_d2 * covariance->elements[0 + 3 * 2];
+    covariance->elements[0 + 3 * 0] = block_0_0;
+    const double block_1_0 = row_0_1 + result_1_d2 * covariance->elements[0 + 3 * 2];
+    covariance->elements[1 + 3 * 0] = block_1_0;
+    covariance->elements[0 + 3 * 1] = block_1_0;
+    const double block_1_1 = row_1_1 + result_1_d2 * covariance->elements[1 + 3 * 2];
+    covariance->elements[1 + 3 * 1] = block_1_1;
+    result[0] = result_0;
+    result[1] = result_1;
+    result[2] = state[2];
 }

@@ -17,6 +17,7 @@
 #include <stdbool.h>
 
 #include "bessemer_calls.h"
+#include "symmetric.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -26,11 +27,8 @@ extern "C" {
 typedef struct {
     /** Position, m; velocity, m/s; bias of the acceleration, m/s². */
     double state[3];
-    /**
-     * Covariance of the errors of these, in this order; symmetric.
-     * A matrix by columns: [row + 3 * column].
-     */
-    double covariance[9];
+    /** Covariance of the errors of these, in this order. */
+    symmetric_f64_3_t covariance;
 } axis_filter_t;
 
 /** Returns a state at rest at 0, with standard deviations `place`, m, and `bias`, m/s². */

@@ -10,14 +10,6 @@
 
 #include "bessemer_target.h"
 
-const double BESSEMER_IDENTITY_6[36] = {
-    1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 1.0
-};
 const uint64_t POWERS_OF_TWO[128][2] = {
     {UINT64_C(0x0), UINT64_C(0x3FF0000000000000)},
     {UINT64_C(0x3C9B3B4F1A88BF6D), UINT64_C(0x3FEFF63DA9FB3335)},

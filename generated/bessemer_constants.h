@@ -16,9 +16,6 @@ extern "C" {
 /** Acceleration of gravity, m/s². */
 static const double AIRFRAME_GRAVITY = 9.81;
 
-/** The identity matrix of 6 rows. A matrix by columns: [row + 6 * column]. */
-extern const double BESSEMER_IDENTITY_6[36];
-
 /**
  * Age, relative to the last packet, up to which a STOP is accepted, ms: it may have been overtaken. A repeated STOP
  * within that time stops the motors again.

@@ -83,29 +83,26 @@ static void estimator_read_inertial(estimator_t *BESSEMER_RESTRICT self, const s
     const push_t *commanded, const measured_t *measured);
 static double estimator_reset_timeout(const estimator_t *self);
 static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    double work[BESSEMER_RESTRICT 108], orientation_t *BESSEMER_RESTRICT orientation);
+    orientation_t *BESSEMER_RESTRICT orientation);
 static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const measured_t *measured, const orientation_t *orientation,
-    double work[BESSEMER_RESTRICT 108]);
+    const sensors_t *sensors, const measured_t *measured, const orientation_t *orientation);
 static bool estimator_correct_angles(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    const double angles[3], const orientation_t *orientation, double work[BESSEMER_RESTRICT 108]);
+    const double angles[3], const orientation_t *orientation);
 static bool estimator_correct_position(estimator_t *BESSEMER_RESTRICT self,
     const sensors_t *sensors, const double place[3]);
 static void estimator_inflate_covariance(estimator_t *self);
 static void estimator_correct_without_vicon(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const measured_t *measured, bool echo_is_new, bool flow_is_new,
-    double work[BESSEMER_RESTRICT 108]);
+    const sensors_t *sensors, const measured_t *measured, bool echo_is_new, bool flow_is_new);
 static bool estimator_correct_height(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
     double distance, const orientation_t *orientation);
 static bool estimator_correct_velocity(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const double flow[2], const orientation_t *orientation,
-    double work[BESSEMER_RESTRICT 108]);
-static void estimator_tilt_from_force(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    double work[BESSEMER_RESTRICT 108]);
+    const sensors_t *sensors, const double flow[2], const orientation_t *orientation);
+static void estimator_tilt_from_force(estimator_t *BESSEMER_RESTRICT self,
+    const sensors_t *sensors);
 static void estimator_tilt_from_acceleration(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const double acceleration[3], double work[BESSEMER_RESTRICT 108]);
-static void estimator_correct_tilt(estimator_t *BESSEMER_RESTRICT self, double roll, double pitch,
-    double variance, double gate, double work[BESSEMER_RESTRICT 108]);
+    const sensors_t *sensors, const double acceleration[3]);
+static void estimator_correct_tilt(estimator_t *self, double roll, double pitch, double variance,
+    double gate);
 static void estimator_velocity(const estimator_t *self, double result[BESSEMER_RESTRICT 3]);
 static void estimator_state(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
     estimate_t *BESSEMER_RESTRICT estimate);
@@ -134,33 +131,30 @@ void sensors_mambo(sensors_t *sensors)
 void estimator_init(estimator_t *self)
 {
     /* In Rust: `AttitudeFilter::level(1.0, 0.05)`. */
-    self->attitude.angles[0] = 0.0;
-    self->attitude.angles[1] = 0.0;
-    self->attitude.angles[2] = 0.0;
-    self->attitude.bias[0] = 0.0;
-    self->attitude.bias[1] = 0.0;
-    self->attitude.bias[2] = 0.0;
-    static const double initial_covariance[36] = {
+    for (uint32_t i = 0U; i < 6U; i++) {
+        self->attitude.state[i] = 0.0;
+    }
+    static const double initial_elements[36] = {
         1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
         0.0, 0.0, 0.0, 0.0025000000000000005, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0025000000000000005,
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0025000000000000005
     };
-    (void)memcpy(self->attitude.covariance, initial_covariance, sizeof(initial_covariance));
+    (void)memcpy(self->attitude.covariance.elements, initial_elements, sizeof(initial_elements));
 
     /* In Rust: `[AxisFilter::at_rest(3.0, 0.3); 3]`. */
     for (uint32_t i = 0U; i < 3U; i++) {
         self->axes[i].state[0] = 0.0;
         self->axes[i].state[1] = 0.0;
         self->axes[i].state[2] = 0.0;
-        self->axes[i].covariance[0] = 9.0;
-        self->axes[i].covariance[1] = 0.0;
-        self->axes[i].covariance[2] = 0.0;
-        self->axes[i].covariance[3] = 0.0;
-        self->axes[i].covariance[4] = 0.01;
-        self->axes[i].covariance[5] = 0.0;
-        self->axes[i].covariance[6] = 0.0;
-        self->axes[i].covariance[7] = 0.0;
-        self->axes[i].covariance[8] = 0.09;
+        self->axes[i].covariance.elements[0] = 9.0;
+        self->axes[i].covariance.elements[1] = 0.0;
+        self->axes[i].covariance.elements[2] = 0.0;
+        self->axes[i].covariance.elements[3] = 0.0;
+        self->axes[i].covariance.elements[4] = 0.01;
+        self->axes[i].covariance.elements[5] = 0.0;
+        self->axes[i].covariance.elements[6] = 0.0;
+        self->axes[i].covariance.elements[7] = 0.0;
+        self->axes[i].covariance.elements[8] = 0.09;
     }
     low_pass_init(&self->smooth);
     stuck_init(&self->vicon);
@@ -191,15 +185,14 @@ void estimator_init(estimator_t *self)
 }
 
 void estimator_step(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    const push_t *commanded, const measured_t *measured,
-    estimator_step_work_t *BESSEMER_RESTRICT work, estimate_t *BESSEMER_RESTRICT estimate)
+    const push_t *commanded, const measured_t *measured, estimate_t *BESSEMER_RESTRICT estimate)
 {
     estimator_advance_ages(self, sensors->period);
     estimator_read_inertial(self, sensors, commanded, measured);
     orientation_t orientation;
-    estimator_advance(self, sensors, work->numbers, &orientation);
+    estimator_advance(self, sensors, &orientation);
     if (measured->vicon.fresh) {
-        estimator_correct_by_vicon(self, sensors, measured, &orientation, work->numbers);
+        estimator_correct_by_vicon(self, sensors, measured, &orientation);
     }
     const double distance[3] = {measured->distance, 0.0, 0.0};
     bool echo_is_new = false;
@@ -212,8 +205,7 @@ void estimator_step(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensor
         flow_is_new = stuck_is_new(&self->camera, flow);
     }
     if (self->ages.vicon > sensors->vicon_timeout || estimator_gyro_lost(self)) {
-        estimator_correct_without_vicon(self, sensors, measured, echo_is_new, flow_is_new,
-            work->numbers);
+        estimator_correct_without_vicon(self, sensors, measured, echo_is_new, flow_is_new);
     }
     estimator_state(self, sensors, estimate);
 }
@@ -278,20 +270,16 @@ static double estimator_reset_timeout(const estimator_t *self)
     }
 }
 
-/**
- * Predicts the state over one period, and returns the predicted orientation.
- * `work` is scratch memory; its contents mean nothing between calls.
- */
+/** Predicts the state over one period, and returns the predicted orientation. */
 static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    double work[BESSEMER_RESTRICT 108], orientation_t *BESSEMER_RESTRICT orientation)
+    orientation_t *BESSEMER_RESTRICT orientation)
 {
     double noise[2] = {sensors->gyroscope[0], sensors->gyroscope[1]};
     if (estimator_gyro_lost(self)) {
         noise[0] = PREDICTED_RATE_NOISE[0];
         noise[1] = PREDICTED_RATE_NOISE[1];
     }
-    attitude_filter_predict(&self->attitude, self->rates, sensors->period, noise[0], noise[1],
-        work);
+    attitude_filter_predict(&self->attitude, self->rates, sensors->period, noise[0], noise[1]);
     double noise_2[2] = {sensors->accelerometer[0], sensors->accelerometer[1]};
     if (estimator_gyro_lost(self)) {
         noise_2[0] = GYRO_LOST_ACCELERATION_NOISE[0];
@@ -302,7 +290,9 @@ static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors
     } else {
         /* Nothing. */
     }
-    orientation_of(self->attitude.angles, orientation);
+    double orientation_angles[3];
+    attitude_filter_angles(&self->attitude, orientation_angles);
+    orientation_of(orientation_angles, orientation);
     double push_rotation[9];
     orientation_rotation(orientation, push_rotation);
     const double push_product[3] = {
@@ -330,11 +320,9 @@ static void estimator_advance(estimator_t *BESSEMER_RESTRICT self, const sensors
 
 /**
  * Corrects the state by Vicon's reading, if it is plausible. `orientation` is the predicted one.
- * `work` is scratch memory; its contents mean nothing between calls.
  */
 static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const measured_t *measured, const orientation_t *orientation,
-    double work[BESSEMER_RESTRICT 108])
+    const sensors_t *sensors, const measured_t *measured, const orientation_t *orientation)
 {
     const vicon_t *const vicon = &measured->vicon;
     const double space[3] = {
@@ -350,7 +338,7 @@ static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
         self->outliers = saturating_add_u32(self->outliers, 1U);
         return;
     }
-    const bool turned = estimator_correct_angles(self, sensors, vicon->angles, orientation, work);
+    const bool turned = estimator_correct_angles(self, sensors, vicon->angles, orientation);
     const bool moved = estimator_correct_position(self, sensors, place);
     if (turned && moved) {
         self->ages.vicon = 0.0;
@@ -364,30 +352,22 @@ static void estimator_correct_by_vicon(estimator_t *BESSEMER_RESTRICT self,
     }
 }
 
-/**
- * Corrects the attitude by Vicon's angles, one at a time; returns true if all were accepted.
- * `work` is scratch memory; its contents mean nothing between calls.
- */
+/** Corrects the attitude by Vicon's angles, one at a time; returns true if all were accepted. */
 static bool estimator_correct_angles(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    const double angles[3], const orientation_t *orientation, double work[BESSEMER_RESTRICT 108])
+    const double angles[3], const orientation_t *orientation)
 {
-    const double rates_body_rates[3] = {
-        self->rates[0] - self->attitude.bias[0],
-        self->rates[1] - self->attitude.bias[1],
-        self->rates[2] - self->attitude.bias[2]
-    };
+    double rates_body_rates[3];
+    attitude_filter_rates(&self->attitude, self->rates, rates_body_rates);
     double rates[3];
     orientation_angle_rates(orientation, rates_body_rates, rates);
     const double variance = sensors->vicon[1] * sensors->vicon[1];
-    static const double all_states[6] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     bool good = true;
     for (uint32_t n = 0U; n < 3U; n++) {
-        const double then = self->attitude.angles[n] - rates[n] * sensors->vicon_delay;
-        double row[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-        row[n] = 1.0;
+        const double then = self->attitude.state[n] - rates[n] * sensors->vicon_delay;
         const double innovation = geometry_wrapped(angles[n] - then);
-        const bool good_correct = attitude_filter_correct(&self->attitude, row, all_states,
-            innovation, variance, sensors->gate, work);
+        static const bool good_considered[6] = {false, false, false, false, false, false};
+        const bool good_correct = attitude_filter_correct(&self->attitude, n, good_considered,
+            innovation, variance, sensors->gate);
         good = good_correct && good;
     }
     return good;
@@ -416,32 +396,31 @@ static void estimator_inflate_covariance(estimator_t *self)
 {
     for (uint32_t n = 0U; n < 3U; n++) {
         axis_filter_inflate(&self->axes[n]);
-        self->attitude.covariance[n + 6U * n] += 0.1;
+        self->attitude.covariance.elements[n + 6U * n] += 0.1;
     }
 }
 
 /**
  * Corrects the state by the sources that replace Vicon. `echo_is_new` and `flow_is_new` say which of them
  * delivered.
- * `work` is scratch memory; its contents mean nothing between calls.
  */
 static void estimator_correct_without_vicon(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const measured_t *measured, bool echo_is_new, bool flow_is_new,
-    double work[BESSEMER_RESTRICT 108])
+    const sensors_t *sensors, const measured_t *measured, bool echo_is_new, bool flow_is_new)
 {
     if (self->force_measured && !estimator_gyro_lost(self)) {
-        estimator_tilt_from_force(self, sensors, work);
+        estimator_tilt_from_force(self, sensors);
     }
+    double orientation_angles[3];
+    attitude_filter_angles(&self->attitude, orientation_angles);
     orientation_t orientation;
-    orientation_of(self->attitude.angles, &orientation);
+    orientation_of(orientation_angles, &orientation);
     if (echo_is_new) {
         if (!estimator_correct_height(self, sensors, measured->distance, &orientation)) {
             self->outliers = saturating_add_u32(self->outliers, 1U);
         }
     }
     if (flow_is_new) {
-        if (!estimator_correct_velocity(self, sensors, measured->flow_velocity, &orientation,
-                work)) {
+        if (!estimator_correct_velocity(self, sensors, measured->flow_velocity, &orientation)) {
             self->outliers = saturating_add_u32(self->outliers, 1U);
         }
     }
@@ -476,11 +455,9 @@ static bool estimator_correct_height(estimator_t *BESSEMER_RESTRICT self, const 
 /**
  * Corrects the horizontal velocity by the camera's velocity along the body's axes, m/s; returns true if it was
  * accepted. The vertical velocity is the estimate.
- * `work` is scratch memory; its contents mean nothing between calls.
  */
 static bool estimator_correct_velocity(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const double flow[2], const orientation_t *orientation,
-    double work[BESSEMER_RESTRICT 108])
+    const sensors_t *sensors, const double flow[2], const orientation_t *orientation)
 {
     double rotation[9];
     orientation_rotation(orientation, rotation);
@@ -509,7 +486,7 @@ static bool estimator_correct_velocity(estimator_t *BESSEMER_RESTRICT self,
             (seen[1] - self->flow[1]) / self->flow_age,
             (seen[2] - self->flow[2]) / self->flow_age
         };
-        estimator_tilt_from_acceleration(self, sensors, acceleration, work);
+        estimator_tilt_from_acceleration(self, sensors, acceleration);
     }
     self->flow[0] = seen[0];
     self->flow[1] = seen[1];
@@ -537,53 +514,46 @@ static bool estimator_correct_velocity(estimator_t *BESSEMER_RESTRICT self,
 /**
  * Corrects roll and pitch by the direction of the specific force, which is vertical on average while the aircraft
  * hovers.
- * `work` is scratch memory; its contents mean nothing between calls.
  */
-static void estimator_tilt_from_force(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    double work[BESSEMER_RESTRICT 108])
+static void estimator_tilt_from_force(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors)
 {
+    double orientation_angles[3];
+    attitude_filter_angles(&self->attitude, orientation_angles);
     orientation_t orientation;
-    orientation_of(self->attitude.angles, &orientation);
+    orientation_of(orientation_angles, &orientation);
     const double force[3] = {self->force[0], self->force[1], self->force[2]};
     const double along = orientation.c3 * force[0] + orientation.s3 * force[1];
     const double across = orientation.s3 * force[0] - orientation.c3 * force[1];
     const double pitch = arctangent_atan2(along, force[2]);
     const double roll = arctangent_atan2(across, roots_hypot(along, force[2]));
     const double variance = sensors->level * sensors->level;
-    estimator_correct_tilt(self, roll, pitch, variance, sensors->gate, work);
+    estimator_correct_tilt(self, roll, pitch, variance, sensors->gate);
 }
 
 /**
  * Corrects roll and pitch by the horizontal acceleration, m/s², which has the direction of the thrust, while the
  * gyroscope is lost.
- * `work` is scratch memory; its contents mean nothing between calls.
  */
 static void estimator_tilt_from_acceleration(estimator_t *BESSEMER_RESTRICT self,
-    const sensors_t *sensors, const double acceleration[3], double work[BESSEMER_RESTRICT 108])
+    const sensors_t *sensors, const double acceleration[3])
 {
     const double roll = arctangent_atan2(acceleration[1], AIRFRAME_GRAVITY);
     const double pitch = arctangent_atan2(-acceleration[0],
         roots_hypot(acceleration[1], AIRFRAME_GRAVITY));
     const double deviation = 1.5 * sensors->camera / (self->flow_age * AIRFRAME_GRAVITY);
     const double variance = deviation * deviation;
-    estimator_correct_tilt(self, roll, pitch, variance, sensors->gate, work);
+    estimator_correct_tilt(self, roll, pitch, variance, sensors->gate);
 }
 
-/**
- * Corrects roll and pitch by a measurement of both, rad. The yaw does not change.
- * `work` is scratch memory; its contents mean nothing between calls.
- */
-static void estimator_correct_tilt(estimator_t *BESSEMER_RESTRICT self, double roll, double pitch,
-    double variance, double gate, double work[BESSEMER_RESTRICT 108])
+/** Corrects roll and pitch by a measurement of both, rad. The yaw does not change. */
+static void estimator_correct_tilt(estimator_t *self, double roll, double pitch, double variance,
+    double gate)
 {
     const double seen[2] = {roll, pitch};
-    static const double moves[6] = {1.0, 1.0, 0.0, 1.0, 1.0, 0.0};
+    static const bool considered[6] = {false, false, true, false, false, true};
     for (uint32_t n = 0U; n < 2U; n++) {
-        double row[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-        row[n] = 1.0;
-        const double innovation = seen[n] - self->attitude.angles[n];
-        (void)attitude_filter_correct(&self->attitude, row, moves, innovation, variance, gate,
-            work);
+        const double innovation = seen[n] - self->attitude.state[n];
+        (void)attitude_filter_correct(&self->attitude, n, considered, innovation, variance, gate);
     }
 }
 
@@ -598,8 +568,8 @@ static void estimator_velocity(const estimator_t *self, double result[BESSEMER_R
 void estimator_variances(const estimator_t *self, double variances[BESSEMER_RESTRICT 6])
 {
     for (uint32_t n = 0U; n < 3U; n++) {
-        variances[n] = self->axes[n].covariance[0 + 3 * 0];
-        variances[n + 3U] = self->attitude.covariance[n + 6U * n];
+        variances[n] = self->axes[n].covariance.elements[0 + 3 * 0];
+        variances[n + 3U] = self->attitude.covariance.elements[n + 6U * n];
     }
 }
 
@@ -607,18 +577,13 @@ void estimator_variances(const estimator_t *self, double variances[BESSEMER_REST
 static void estimator_state(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
     estimate_t *BESSEMER_RESTRICT estimate)
 {
-    const double rates[3] = {
-        self->rates[0] - self->attitude.bias[0],
-        self->rates[1] - self->attitude.bias[1],
-        self->rates[2] - self->attitude.bias[2]
-    };
+    double rates[3];
+    attitude_filter_rates(&self->attitude, self->rates, rates);
     const axis_filter_t *const axes = self->axes;
+    attitude_filter_angles(&self->attitude, estimate->angles);
     estimator_velocity(self, estimate->velocity);
     low_pass_step(&self->smooth, sensors->smoothing, rates, estimate->rates);
     estimate->position[0] = axes[0].state[0];
     estimate->position[1] = axes[1].state[0];
     estimate->position[2] = axes[2].state[0];
-    estimate->angles[0] = self->attitude.angles[0];
-    estimate->angles[1] = self->attitude.angles[1];
-    estimate->angles[2] = self->attitude.angles[2];
 }

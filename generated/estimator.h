@@ -116,11 +116,6 @@ typedef struct {
     uint32_t outliers;
 } estimator_t;
 
-/** Working memory of its entry point; the contents are undefined between calls. */
-typedef struct {
-    double numbers[108];
-} estimator_step_work_t;
-
 /** Returns the parameters of the Mambo with a Vicon of 100 Hz. */
 void sensors_mambo(sensors_t *sensors);
 
@@ -131,8 +126,7 @@ void estimator_init(estimator_t *self);
  * Advances one period from the measurements and the last motor commands, and returns the estimate.
  */
 void estimator_step(estimator_t *BESSEMER_RESTRICT self, const sensors_t *sensors,
-    const push_t *commanded, const measured_t *measured,
-    estimator_step_work_t *BESSEMER_RESTRICT work, estimate_t *BESSEMER_RESTRICT estimate);
+    const push_t *commanded, const measured_t *measured, estimate_t *BESSEMER_RESTRICT estimate);
 
 /** Returns true if the gyroscope is lost. */
 bool estimator_gyro_lost(const estimator_t *self);

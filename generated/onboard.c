@@ -109,7 +109,7 @@ void onboard_step(onboard_t *BESSEMER_RESTRICT self, const settings_t *settings,
     measured_t measured;
     calibration_measured(&settings->calibration, &inputs->readings, &measured);
     estimator_step(&self->estimator, &settings->sensors, &self->commanded, &measured,
-        &work->estimator_step, &outputs->estimate);
+        &outputs->estimate);
     if (self->receiver.orders.arm) {
         onboard_arm(self, &outputs->estimate);
     }

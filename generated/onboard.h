@@ -135,7 +135,6 @@ typedef union {
         logger_step_work_t logger_step;
     } with_signals;
     receiver_step_work_t receiver_step;
-    estimator_step_work_t estimator_step;
 } onboard_step_work_t;
 
 /** Returns the settings of the Mambo in a room. */

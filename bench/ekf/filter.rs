@@ -22,6 +22,7 @@ pub struct Inertial {
 
 /// The state after one period, s: position and velocity, north, east and down; roll, pitch and yaw, rad; bias, rad/s.
 #[function]
+#[inline]
 fn advanced(state: &SVector<f64, 12>, inertial: &Inertial, period: f64) -> SVector<f64, 12> {
     let (sin_roll, cos_roll) = state[6].sin_cos();
     let (sin_pitch, cos_pitch) = state[7].sin_cos();

@@ -143,9 +143,6 @@ fn emitted(
         let text = std::fs::read_to_string(&path)?;
         std::fs::write(&path, text.replace(from, to))
     };
-    let package = "bessemer = { workspace = true }";
-    let both = format!("{package}\nbessemer-estimation = {{ workspace = true }}");
-    edit(workspace.folder().join("Cargo.toml"), package, &both).map_err(failed)?;
     if machine.single {
         // Functions of `f32` in `f32` alone, as on any processor without doubles.
         let dsl = "bessemer = { path = \"dsl\"";

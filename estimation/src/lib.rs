@@ -6,6 +6,8 @@
 //!   it.
 //! * [`Symmetric::correct`], [`Symmetric::correct_selected`], [`Symmetric::correct_part`] and
 //!   [`Symmetric::correct_jointly`]: corrections with a gate, which report a covariance that would not stay positive.
+//! * [`Symmetric::correct_joseph`]: Joseph's form; [`Symmetric::correct_considering`]: a correction that leaves elements of
+//!   the state as they are.
 //! * [`Factored`], [`Rooted`]: the same covariance as U D Uᵀ or L Lᵀ, which cannot lose its sign.
 //! * [`unscented`]: a distribution behind a function, without its derivative; [`Symmetric::correct_unscented`] and
 //!   [`Rooted`] filter by it.
@@ -24,6 +26,7 @@
 mod continuous;
 mod correct;
 mod factored;
+mod joseph;
 mod record;
 mod rooted;
 mod selected;

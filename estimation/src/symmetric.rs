@@ -132,7 +132,7 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
 
     /// Corrects by one number: the `row` of the measurement's Jacobian, its `innovation` (measured less expected) and
     /// its variance. The state gains the gain times the innovation. A measurement with a surprise above `gate` is
-    /// rejected.
+    /// rejected; the largest number is no gate.
     pub fn correct(
         &mut self,
         state: &mut SVector<T, N>,
@@ -168,6 +168,55 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
         }
         let expected = spread[index] + variance;
         self.corrected(state, &spread, expected, innovation, gate)
+    }
+
+    /// Corrects by a measurement of one element, and leaves the `considered` elements of the state as they are: a
+    /// Schmidt–Kalman filter. Their covariance with each other does not change, either.
+    pub fn correct_considering(
+        &mut self,
+        state: &mut SVector<T, N>,
+        considered: &[bool; N],
+        index: usize,
+        innovation: T,
+        variance: T,
+        gate: T,
+    ) -> Correction<T> {
+        if index >= N {
+            return Correction { surprise: T::ZERO, status: Status::Lost };
+        }
+        let mut spread = SVector::<T, N>::zeros();
+        for n in 0..N {
+            spread[n] = self.elements[(n, index)];
+        }
+        let expected = spread[index] + variance;
+        if !(expected > T::ZERO && expected.is_finite()) {
+            return Correction { surprise: T::ZERO, status: Status::Lost };
+        }
+        let scale = T::ONE / expected;
+        let surprise = innovation * innovation * scale;
+        if !(surprise <= gate) {
+            return Correction { surprise, status: Status::Rejected };
+        }
+
+        for n in 0..N {
+            if !(considered[n] || self.elements[(n, n)] - spread[n] * scale * spread[n] > T::ZERO) {
+                return Correction { surprise, status: Status::Lost };
+            }
+        }
+        for row in 0..N {
+            let gain = spread[row] * scale;
+            if !considered[row] {
+                state[row] += gain * innovation;
+            }
+            for col in 0..=row {
+                if !(considered[row] && considered[col]) {
+                    let value = self.elements[(row, col)] - gain * spread[col];
+                    self.elements[(row, col)] = value;
+                    self.elements[(col, row)] = value;
+                }
+            }
+        }
+        Correction { surprise, status: Status::Corrected }
     }
 
     /// Corrects by an innovation with the variance `expected` and the covariance `spread` with the errors.

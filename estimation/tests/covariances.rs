@@ -28,13 +28,14 @@ fn many_steps_stay_symmetric_positive_and_exact() {
         covariance.congruence(&transition(step));
         covariance.add_diagonal(&SVector::from(noise));
         reference.predict(&transition(step), noise);
-        // By one number, by a number at an index, by two at once and by two of the state, in turn.
+        // By one number, by a number at an index, in Joseph's form, by two at once and by two of the state, in turn.
         let mut row = SVector::<f64, 4>::zeros();
         row[step % 2] = 1.0;
-        let report = match step % 4 {
+        let report = match step % 5 {
             0 => covariance.correct(&mut state, &row, 1e-3, 1e-4, 100.0),
-            1 => covariance.correct_element(&mut state, 1, 1e-3, 1e-4, 100.0),
-            2 => {
+            1 => covariance.correct_joseph(&mut state, &row, 1e-3, 1e-4, 100.0),
+            2 => covariance.correct_element(&mut state, 1, 1e-3, 1e-4, 100.0),
+            3 => {
                 let jacobian = SMatrix::<f64, 2, 4>::identity();
                 let noise = Symmetric::diagonal(&SVector::from([1e-4; 2]));
                 let innovation = SVector::from([1e-3; 2]);
@@ -46,8 +47,9 @@ fn many_steps_stay_symmetric_positive_and_exact() {
             }
         };
         assert_eq!(report.status, Status::Corrected, "step {step}");
-        match step % 4 {
+        match step % 5 {
             0 | 1 => reference.correct(step % 2, 1e-4),
+            2 => reference.correct(1, 1e-4),
             _ => (0..2).for_each(|index| reference.correct(index, 1e-4)),
         }
     }
@@ -264,6 +266,73 @@ fn a_refused_correction_changes_nothing() {
         assert_eq!((covariance, state), (prior, SVector::zeros()));
     }
     assert!(Factored::of(&Symmetric::diagonal(&SVector::from([1.0, -1.0]))).is_none());
+}
+
+/// Considered elements of the state stay as they are: Joseph's form with a gain of zero for them.
+#[test]
+fn considered_elements_stay() {
+    let mut prior = Symmetric::diagonal(&SVector::from([1.0, 4.0, 0.5, 2.0]));
+    (0..5).for_each(|step| prior.congruence(&transition(step)));
+    let row = SVector::from([0.0, 1.0, 0.0, 0.0]);
+    let spread = prior.matrix() * row;
+    let expected = spread[1] + 0.1;
+    for considered in [[false; 4], [false, true, false, true], [true, false, true, true]] {
+        let (mut found, mut state) = (prior, SVector::<f64, 4>::zeros());
+        let report = found.correct_considering(&mut state, &considered, 1, 0.3, 0.1, f64::MAX);
+        assert_eq!(report.status, Status::Corrected);
+        assert!((report.surprise - 0.09 / expected).abs() < 1e-15);
+
+        let moves = SVector::<f64, 4>::from_fn(|n, _| if considered[n] { 0.0 } else { 1.0 });
+        let gain = spread.component_mul(&moves) / expected;
+        let kept = SMatrix::<f64, 4, 4>::identity() - gain * row.transpose();
+        let wanted = kept * prior.matrix() * kept.transpose() + gain * gain.transpose() * 0.1;
+        assert!((found.matrix() - wanted).amax() < 1e-15, "{considered:?}");
+        assert_eq!(found.matrix().transpose(), *found.matrix());
+        assert!((state - gain * 0.3).amax() < 1e-15);
+        for n in (0..4).filter(|n| considered[*n]) {
+            assert_eq!(state[n], 0.0);
+            for k in (0..4).filter(|k| considered[*k]) {
+                assert_eq!(found.at(n, k), prior.at(n, k));
+            }
+        }
+    }
+    for (index, variance, gate, status) in [
+        (4, 0.1, 9.0, Status::Lost),
+        (1, -5.0, 9.0, Status::Lost),
+        (1, f64::NAN, 9.0, Status::Lost),
+        (1, 0.1, 1e-3, Status::Rejected),
+    ] {
+        let (mut found, mut state) = (prior, SVector::<f64, 4>::zeros());
+        let all = [false; 4];
+        let report = found.correct_considering(&mut state, &all, index, 0.3, variance, gate);
+        assert_eq!((report.status, found, state), (status, prior, SVector::zeros()));
+    }
+}
+
+/// In Joseph's form a certain measurement of an uncertain state leaves the variance of the measurement.
+#[test]
+fn josephs_form_keeps_small_variances() {
+    let wide = Symmetric::diagonal(&SVector::from([1e12, 1e12]));
+    let row = SVector::from([1.0, 0.0]);
+    let (mut short, mut long) = (wide, wide);
+    let mut state = SVector::<f64, 2>::zeros();
+    assert_eq!(short.correct(&mut state, &row, 1.0, 1e-6, 9.0).status, Status::Lost);
+    assert_eq!(long.correct_joseph(&mut state, &row, 1.0, 1e-6, 9.0).status, Status::Corrected);
+    assert!((long.at(0, 0) - 1e-6).abs() < 1e-18, "{}", long.matrix());
+
+    for (innovation, variance, gate, status) in [
+        (f64::NAN, 1.0, f64::MAX, Status::Rejected),
+        (f64::INFINITY, 1.0, f64::MAX, Status::Rejected),
+        (10.0, 1e-6, 1e-30, Status::Rejected),
+        (0.1, f64::NAN, 9.0, Status::Lost),
+        (0.1, -1e13, 9.0, Status::Lost),
+        (0.1, 0.0, 9.0, Status::Lost),
+    ] {
+        let (mut covariance, mut state) = (wide, SVector::zeros());
+        let report = covariance.correct_joseph(&mut state, &row, innovation, variance, gate);
+        assert_eq!(report.status, status, "{innovation} {variance}");
+        assert_eq!((covariance, state), (wide, SVector::zeros()));
+    }
 }
 
 /// An integrator of an integrator with white acceleration has known transition and noise.

@@ -2,131 +2,241 @@
 //!
 //! The only sensor known here is the gyroscope; a correction is any measurement of one angle.
 
-use crate::covariance::{corrected, grown};
 use crate::geometry::Orientation;
 use bessemer::prelude::*;
-
-/// Row and column of roll.
-#[data]
-const ROLL: usize = 0;
-
-/// Row and column of pitch.
-#[data]
-const PITCH: usize = 1;
-
-/// Row and column of yaw.
-#[data]
-const YAW: usize = 2;
-
-/// Row and column of the gyroscope's bias about the body's x.
-#[data]
-const BIAS_X: usize = 3;
-
-/// Row and column of the gyroscope's bias about the body's y.
-#[data]
-const BIAS_Y: usize = 4;
-
-/// Row and column of the gyroscope's bias about the body's z.
-#[data]
-const BIAS_Z: usize = 5;
+use bessemer_estimation::{Status, Symmetric};
 
 /// The aircraft's attitude.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AttitudeFilter {
-    /// Roll, pitch and yaw, rad.
-    pub angles: Vector3<f64>,
-    /// Biases of the gyroscope, rad/s.
-    pub bias: Vector3<f64>,
-    /// Covariance of the errors: roll, pitch, yaw (rad²), then the biases about the body's x, y, z
-    /// (rad²/s²); symmetric.
-    pub covariance: Matrix6<f64>,
+    /// Roll, pitch and yaw, rad, then the gyroscope's biases about the body's x, y and z, rad/s.
+    pub state: Vector6<f64>,
+    /// Covariance of the errors of these, in this order.
+    pub covariance: Symmetric<f64, 6>,
 }
 
 #[data]
 impl AttitudeFilter {
     /// Returns a level attitude with standard deviations `angle`, rad, and `bias`, rad/s.
     pub fn level(angle: f64, bias: f64) -> AttitudeFilter {
-        let mut covariance = Matrix6::zeros();
+        let mut variances = Vector6::zeros();
         for n in 0..3 {
-            covariance[(n, n)] = angle * angle;
-            covariance[(n + 3, n + 3)] = bias * bias;
+            variances[n] = angle * angle;
+            variances[n + 3] = bias * bias;
         }
-        AttitudeFilter { angles: Vector3::zeros(), bias: Vector3::zeros(), covariance }
+        AttitudeFilter { state: Vector6::zeros(), covariance: Symmetric::diagonal(&variances) }
+    }
+
+    /// Returns roll, pitch and yaw, rad.
+    pub fn angles(&self) -> Vector3<f64> {
+        Vector3::new(self.state[0], self.state[1], self.state[2])
+    }
+
+    /// Returns measured rates without the gyroscope's biases, rad/s.
+    pub fn rates(&self, measured: &Vector3<f64>) -> Vector3<f64> {
+        measured - Vector3::new(self.state[3], self.state[4], self.state[5])
     }
 
     /// Predicts one period, s, from the measured rates, rad/s, with standard deviation `noise`, rad/s, and bias drift
     /// `drift`, rad/s in a second.
     pub fn predict(&mut self, measured: &Vector3<f64>, period: f64, noise: f64, drift: f64) {
-        let orientation = Orientation::of(&self.angles);
-        let rates = measured - self.bias;
-        let advance = advance(&orientation, &rates, period);
-        self.angles += orientation.angle_rates(&rates) * period;
-
+        self.state = predicted(&self.state, measured, period, &mut self.covariance);
         let turn = noise * period;
         let wander = drift * drift * period;
-        let mut growth = Vector6::zeros();
         for n in 0..3 {
-            growth[n] = turn * turn;
-            growth[n + 3] = wander;
+            self.covariance.elements[(n, n)] += turn * turn;
+            self.covariance.elements[(n + 3, n + 3)] += wander;
         }
-        self.covariance = grown(&self.covariance, &advance, &growth);
     }
 
-    /// Corrects the state by a measurement of the angle that `row` selects: `innovation` is measured minus estimated.
+    /// Corrects the state by a measurement of the angle at an index: `innovation` is measured minus estimated.
     /// The measurement is rejected, and nothing changes, if the innovation exceeds `gate` standard deviations or is not
-    /// a number.
-    ///
-    /// `moves` has a 1 for each part of the state that it may change, and 0 elsewhere: Joseph's form holds
-    /// for any gain.
+    /// a number. The `considered` parts of the state never change.
     pub fn correct(
         &mut self,
-        row: &Vector6<f64>,
-        moves: &Vector6<f64>,
+        angle: usize,
+        considered: &[bool; 6],
         innovation: f64,
         variance: f64,
         gate: f64,
     ) -> bool {
-        let spread = self.covariance * row;
-        let expected = row.dot(&spread) + variance;
-        // A certain state with a certain measurement leaves no correction; neither does a measurement of infinite variance.
-        let learns = expected > 0.0 && expected.is_finite();
-        let plausible = learns && innovation * innovation <= gate * gate * expected;
-        if !plausible {
-            return false;
-        }
-        let gain = spread.component_mul(moves) / expected;
-        for n in 0..3 {
-            self.angles[n] += gain[n] * innovation;
-            self.bias[n] += gain[n + 3] * innovation;
-        }
-        self.covariance = corrected(&self.covariance, row, &gain, variance);
-        true
+        let report = self.covariance.correct_considering(
+            &mut self.state,
+            considered,
+            angle,
+            innovation,
+            variance,
+            gate * gate,
+        );
+        report.status == Status::Corrected
     }
 }
 
-/// Returns the Jacobian of the state over one period: the derivative of (2.17).
+/// Returns the state after one period, s (thesis, eq. (2.17)).
 #[function]
-fn advance(orientation: &Orientation, rates: &Vector3<f64>, period: f64) -> Matrix6<f64> {
-    let Orientation { s2, s3, c3, .. } = *orientation;
-    let c2 = orientation.divisor();
-    let along = c3 * rates.x + s3 * rates.y;
-    let across = s3 * rates.x - c3 * rates.y;
-    let lean = s2 / c2;
+#[inline]
+fn advanced(state: &Vector6<f64>, measured: &Vector3<f64>, period: f64) -> Vector6<f64> {
+    let orientation = Orientation::of(&Vector3::new(state[0], state[1], state[2]));
+    let rates = measured - Vector3::new(state[3], state[4], state[5]);
+    let turn = orientation.angle_rates(&rates);
+    let mut next = *state;
+    for n in 0..3 {
+        next[n] += turn[n] * period;
+    }
+    next
+}
 
-    let mut advance = Matrix6::identity();
-    advance[(ROLL, PITCH)] = -period * along * lean / c2;
-    advance[(ROLL, YAW)] = period * across / c2;
-    advance[(PITCH, YAW)] = period * along;
-    advance[(YAW, PITCH)] = -period * along / (c2 * c2);
-    advance[(YAW, YAW)] += period * across * lean;
-
-    advance[(ROLL, BIAS_X)] = period * c3 / c2;
-    advance[(ROLL, BIAS_Y)] = period * s3 / c2;
-    advance[(PITCH, BIAS_X)] = -period * s3;
-    advance[(PITCH, BIAS_Y)] = period * c3;
-    advance[(YAW, BIAS_X)] = period * c3 * lean;
-    advance[(YAW, BIAS_Y)] = period * s3 * lean;
-    advance[(YAW, BIAS_Z)] = period;
-    advance
+/// Returns the state after one period, s. The covariance becomes the covariance of its errors.
+#[function(derivative(advanced, state))]
+fn predicted(
+    state: &Vector6<f64>,
+    measured: &Vector3<f64>,
+    period: f64,
+    covariance: &mut Symmetric<f64, 6>,
+) -> Vector6<f64> {
+    let sin_state_1 = state[1].sin();
+    let cos_state_1 = state[1].cos();
+    let slope = -sin_state_1;
+    let sin_state_2 = state[2].sin();
+    let cos_state_2 = state[2].cos();
+    let slope_2 = -sin_state_2;
+    let rates_0 = measured[0] - state[3];
+    let rates_1 = measured[1] - state[4];
+    let rates_2 = measured[2] - state[5];
+    let along = cos_state_2 * rates_0 + sin_state_2 * rates_1;
+    let along_d2 = rates_0 * slope_2 + rates_1 * cos_state_2;
+    let along_d3 = -cos_state_2;
+    let along_d4 = -sin_state_2;
+    let across = sin_state_2 * rates_0 - cos_state_2 * rates_1;
+    let across_d2 = rates_0 * cos_state_2 - rates_1 * slope_2;
+    let across_d3 = -sin_state_2;
+    let roll_rate = cos_state_1.abs();
+    let result: f64;
+    let result_d1: f64;
+    if roll_rate < 0.01 {
+        let result_2 = (0.01).copysign(cos_state_1);
+        result = result_2;
+        result_d1 = 0.0;
+    } else {
+        result = cos_state_1;
+        result_d1 = slope;
+    }
+    let result_2 = -along / result;
+    let roll_rate_d1 = -(result_2 * result_d1) / result;
+    let roll_rate_d2 = -along_d2 / result;
+    let roll_rate_d3 = -along_d3 / result;
+    let roll_rate_d4 = -along_d4 / result;
+    let result_2_2 = sin_state_1 * result_2 - rates_2;
+    let result_2_d1 = result_2 * cos_state_1 + sin_state_1 * roll_rate_d1;
+    let result_2_d2 = sin_state_1 * roll_rate_d2;
+    let result_2_d3 = sin_state_1 * roll_rate_d3;
+    let result_2_d4 = sin_state_1 * roll_rate_d4;
+    let next = state[0] + result_2 * period;
+    let next_d1 = period * roll_rate_d1;
+    let next_d2 = period * roll_rate_d2;
+    let next_d3 = period * roll_rate_d3;
+    let next_d4 = period * roll_rate_d4;
+    let next_2 = state[1] + across * period;
+    let next_d2_2 = period * across_d2;
+    let next_d3_2 = period * across_d3;
+    let next_d4_2 = period * cos_state_2;
+    let next_3 = state[2] + result_2_2 * period;
+    let next_d1_2 = period * result_2_d1;
+    let next_d2_3 = 1.0 + period * result_2_d2;
+    let next_d3_3 = period * result_2_d3;
+    let next_d4_3 = period * result_2_d4;
+    let row_0_0 = covariance.elements[(0, 0)]
+        + next_d1 * covariance.elements[(1, 0)]
+        + next_d2 * covariance.elements[(2, 0)]
+        + next_d3 * covariance.elements[(3, 0)]
+        + next_d4 * covariance.elements[(4, 0)];
+    let row_0_1 = covariance.elements[(0, 1)]
+        + next_d1 * covariance.elements[(1, 1)]
+        + next_d2 * covariance.elements[(2, 1)]
+        + next_d3 * covariance.elements[(3, 1)]
+        + next_d4 * covariance.elements[(4, 1)];
+    let row_0_2 = covariance.elements[(0, 2)]
+        + next_d1 * covariance.elements[(1, 2)]
+        + next_d2 * covariance.elements[(2, 2)]
+        + next_d3 * covariance.elements[(3, 2)]
+        + next_d4 * covariance.elements[(4, 2)];
+    let row_1_1 = covariance.elements[(1, 1)]
+        + next_d2_2 * covariance.elements[(2, 1)]
+        + next_d3_2 * covariance.elements[(3, 1)]
+        + next_d4_2 * covariance.elements[(4, 1)];
+    let row_1_2 = covariance.elements[(1, 2)]
+        + next_d2_2 * covariance.elements[(2, 2)]
+        + next_d3_2 * covariance.elements[(3, 2)]
+        + next_d4_2 * covariance.elements[(4, 2)];
+    let row_2_1 = next_d2_3 * covariance.elements[(2, 1)]
+        + next_d1_2 * covariance.elements[(1, 1)]
+        + next_d3_3 * covariance.elements[(3, 1)]
+        + next_d4_3 * covariance.elements[(4, 1)]
+        + period * covariance.elements[(5, 1)];
+    let row_2_2 = next_d2_3 * covariance.elements[(2, 2)]
+        + next_d1_2 * covariance.elements[(1, 2)]
+        + next_d3_3 * covariance.elements[(3, 2)]
+        + next_d4_3 * covariance.elements[(4, 2)]
+        + period * covariance.elements[(5, 2)];
+    for k in 3..6 {
+        let row_0 = covariance.elements[(0, k)]
+            + next_d1 * covariance.elements[(1, k)]
+            + next_d2 * covariance.elements[(2, k)]
+            + next_d3 * covariance.elements[(3, k)]
+            + next_d4 * covariance.elements[(4, k)];
+        let row_1 = covariance.elements[(1, k)]
+            + next_d2_2 * covariance.elements[(2, k)]
+            + next_d3_2 * covariance.elements[(3, k)]
+            + next_d4_2 * covariance.elements[(4, k)];
+        let row_2 = next_d2_3 * covariance.elements[(2, k)]
+            + next_d1_2 * covariance.elements[(1, k)]
+            + next_d3_3 * covariance.elements[(3, k)]
+            + next_d4_3 * covariance.elements[(4, k)]
+            + period * covariance.elements[(5, k)];
+        covariance.elements[(0, k)] = row_0;
+        covariance.elements[(k, 0)] = row_0;
+        covariance.elements[(1, k)] = row_1;
+        covariance.elements[(k, 1)] = row_1;
+        covariance.elements[(2, k)] = row_2;
+        covariance.elements[(k, 2)] = row_2;
+    }
+    let block_0_0 = row_0_0
+        + next_d1 * row_0_1
+        + next_d2 * row_0_2
+        + next_d3 * covariance.elements[(0, 3)]
+        + next_d4 * covariance.elements[(0, 4)];
+    covariance.elements[(0, 0)] = block_0_0;
+    let block_1_0 = row_0_1
+        + next_d2_2 * row_0_2
+        + next_d3_2 * covariance.elements[(0, 3)]
+        + next_d4_2 * covariance.elements[(0, 4)];
+    covariance.elements[(1, 0)] = block_1_0;
+    covariance.elements[(0, 1)] = block_1_0;
+    let block_1_1 = row_1_1
+        + next_d2_2 * row_1_2
+        + next_d3_2 * covariance.elements[(1, 3)]
+        + next_d4_2 * covariance.elements[(1, 4)];
+    covariance.elements[(1, 1)] = block_1_1;
+    let block_2_0 = next_d2_3 * row_0_2
+        + next_d1_2 * row_0_1
+        + next_d3_3 * covariance.elements[(0, 3)]
+        + next_d4_3 * covariance.elements[(0, 4)]
+        + period * covariance.elements[(0, 5)];
+    covariance.elements[(2, 0)] = block_2_0;
+    covariance.elements[(0, 2)] = block_2_0;
+    let block_2_1 = next_d2_3 * row_1_2
+        + next_d1_2 * row_1_1
+        + next_d3_3 * covariance.elements[(1, 3)]
+        + next_d4_3 * covariance.elements[(1, 4)]
+        + period * covariance.elements[(1, 5)];
+    covariance.elements[(2, 1)] = block_2_1;
+    covariance.elements[(1, 2)] = block_2_1;
+    let block_2_2 = next_d2_3 * row_2_2
+        + next_d1_2 * row_2_1
+        + next_d3_3 * covariance.elements[(2, 3)]
+        + next_d4_3 * covariance.elements[(2, 4)]
+        + period * covariance.elements[(2, 5)];
+    covariance.elements[(2, 2)] = block_2_2;
+    vector![next, next_2, next_3, state[3], state[4], state[5]]
 }

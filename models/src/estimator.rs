@@ -273,7 +273,7 @@ impl Estimator {
         } else if !self.force_measured {
             noise = PREDICTED_ACCELERATION_NOISE;
         }
-        let orientation = Orientation::of(&self.attitude.angles);
+        let orientation = Orientation::of(&self.attitude.angles());
         let mut push = orientation.rotation() * self.force - Vector3::new(0.0, 0.0, GRAVITY);
         if !self.force_measured && self.axes[2].state[0] < GROUND_CONTACT_HEIGHT {
             push.z = push.z.max(0.0);
@@ -329,17 +329,14 @@ impl Estimator {
         angles: &Vector3<f64>,
         orientation: &Orientation,
     ) -> bool {
-        let rates = orientation.angle_rates(&(self.rates - self.attitude.bias));
+        let rates = orientation.angle_rates(&self.attitude.rates(&self.rates));
         let variance = sensors.vicon.y * sensors.vicon.y;
-        let all_states = Vector6::repeat(1.0);
         let mut good = true;
         for n in 0..3 {
-            let then = self.attitude.angles[n] - rates[n] * sensors.vicon_delay;
-            let mut row = Vector6::zeros();
-            row[n] = 1.0;
+            let then = self.attitude.state[n] - rates[n] * sensors.vicon_delay;
             let innovation = wrapped(angles[n] - then);
-            good = self.attitude.correct(&row, &all_states, innovation, variance, sensors.gate)
-                && good;
+            good =
+                self.attitude.correct(n, &[false; 6], innovation, variance, sensors.gate) && good;
         }
         good
     }
@@ -360,7 +357,7 @@ impl Estimator {
     fn inflate_covariance(&mut self) {
         for n in 0..3 {
             self.axes[n].inflate();
-            self.attitude.covariance[(n, n)] += 0.1;
+            self.attitude.covariance.elements[(n, n)] += 0.1;
         }
     }
 
@@ -376,7 +373,7 @@ impl Estimator {
         if self.force_measured && !self.gyro_lost() {
             self.tilt_from_force(sensors);
         }
-        let orientation = Orientation::of(&self.attitude.angles);
+        let orientation = Orientation::of(&self.attitude.angles());
         if echo_is_new && !self.correct_height(sensors, measured.distance, &orientation) {
             self.outliers = self.outliers.saturating_add(1);
         }
@@ -443,7 +440,7 @@ impl Estimator {
     /// Corrects roll and pitch by the direction of the specific force, which is vertical on average while the aircraft
     /// hovers.
     fn tilt_from_force(&mut self, sensors: &Sensors) {
-        let Orientation { s3, c3, .. } = Orientation::of(&self.attitude.angles);
+        let Orientation { s3, c3, .. } = Orientation::of(&self.attitude.angles());
         let force = self.force;
         let along = c3 * force.x + s3 * force.y;
         let across = s3 * force.x - c3 * force.y;
@@ -466,12 +463,10 @@ impl Estimator {
     /// Corrects roll and pitch by a measurement of both, rad. The yaw does not change.
     fn correct_tilt(&mut self, roll: f64, pitch: f64, variance: f64, gate: f64) {
         let seen = Vector2::new(roll, pitch);
-        let moves = Vector6::new(1.0, 1.0, 0.0, 1.0, 1.0, 0.0);
+        let considered = [false, false, true, false, false, true];
         for n in 0..2 {
-            let mut row = Vector6::zeros();
-            row[n] = 1.0;
-            let innovation = seen[n] - self.attitude.angles[n];
-            self.attitude.correct(&row, &moves, innovation, variance, gate);
+            let innovation = seen[n] - self.attitude.state[n];
+            self.attitude.correct(n, &considered, innovation, variance, gate);
         }
     }
 
@@ -485,19 +480,19 @@ impl Estimator {
     pub fn variances(&self) -> Vector6<f64> {
         let mut variances = Vector6::zeros();
         for n in 0..3 {
-            variances[n] = self.axes[n].covariance[(0, 0)];
-            variances[n + 3] = self.attitude.covariance[(n, n)];
+            variances[n] = self.axes[n].covariance.elements[(0, 0)];
+            variances[n + 3] = self.attitude.covariance.elements[(n, n)];
         }
         variances
     }
 
     /// Returns the estimate.
     fn state(&mut self, sensors: &Sensors) -> Estimate {
-        let rates = self.rates - self.attitude.bias;
+        let rates = self.attitude.rates(&self.rates);
         let axes = self.axes;
         Estimate {
             position: Vector3::new(axes[0].state[0], axes[1].state[0], axes[2].state[0]),
-            angles: self.attitude.angles,
+            angles: self.attitude.angles(),
             velocity: self.velocity(),
             rates: self.smooth.step(sensors.smoothing, &rates),
         }

@@ -8,7 +8,7 @@
 //! | [`receiver`], [`packet`], [`trajectory`], [`tuning`] | commands of the ground station | §6.1 |
 //! | [`gate`], [`siphash`] | authentication of commands | |
 //! | [`calibration`] | conversion of counts to units | §6.1 |
-//! | [`estimator`], [`attitude_filter`], [`axis_filter`], [`covariance`], [`low_pass`], [`stuck`], [`expectation`] | state estimation | §6.1 |
+//! | [`estimator`], [`attitude_filter`], [`axis_filter`], [`low_pass`], [`stuck`], [`expectation`] | state estimation | §6.1 |
 //! | [`reference_generator`], [`touch_down`] | target: take-off, trajectory, sticks, landing | (3.20) |
 //! | [`crash_predictor`], [`clock_monitor`] | alarms that stop the motors | §6.1 |
 //! | [`controller`] | closed loop | ch. 3 |
@@ -38,7 +38,6 @@ pub mod calibration;
 pub mod cascade;
 pub mod clock_monitor;
 pub mod controller;
-pub mod covariance;
 pub mod crash_predictor;
 pub mod estimator;
 pub mod expectation;

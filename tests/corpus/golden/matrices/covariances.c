@@ -108,6 +108,27 @@ void covariances_by_factors(const double p[9], const double row[3], double innov
     }
 }
 
+void covariances_by_certain(const double p[9], const double row[3], double innovation,
+    triple_status_vector3_f64_matrix3x3_f64_t *BESSEMER_RESTRICT result)
+{
+    result->second[0] = 0.0;
+    result->second[1] = 0.0;
+    result->second[2] = 0.0;
+    symmetric_f64_3_t covariance;
+    symmetric_f64_3_of_lower(p, &covariance);
+    {
+        correction_f64_t unused;
+        symmetric_f64_3_correct_joseph(&covariance, result->second, row, innovation, 1e-12,
+            1000000000.0, &unused);
+    }
+    const bool considered[3] = {false, false, true};
+    correction_f64_t report;
+    symmetric_f64_3_correct_considering(&covariance, result->second, considered, UINT64_C(1),
+        innovation, 0.5, 16.0, &report);
+    result->first = report.status;
+    (void)memcpy(result->third, covariance.elements, sizeof(double[9]));
+}
+
 void covariances_by_part(const double p[16], const double innovation[2],
     triple_status_vector4_f64_matrix4x4_f64_t *BESSEMER_RESTRICT result)
 {

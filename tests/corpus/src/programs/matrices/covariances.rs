@@ -68,6 +68,16 @@ pub fn by_factors(p: &Matrix3<f64>, row: &Vector3<f64>, innovation: f64) -> (f64
     }
 }
 
+/// Corrects by a certain measurement in Joseph's form, then by one that leaves the last number as it is.
+#[function]
+pub fn by_certain(p: &Matrix3<f64>, row: &Vector3<f64>, innovation: f64) -> (Status, Vector3<f64>, Matrix3<f64>) {
+    let (mut state, mut covariance) = (Vector3::zeros(), Symmetric::of_lower(p));
+    covariance.correct_joseph(&mut state, row, innovation, 1e-12, 1e9);
+    let considered = [false, false, true];
+    let report = covariance.correct_considering(&mut state, &considered, 1, innovation, 0.5, 16.0);
+    (report.status, state, *covariance.matrix())
+}
+
 /// Corrects the last two of four numbers, which are measured with independent errors.
 #[function]
 pub fn by_part(p: &Matrix4<f64>, innovation: &Vector2<f64>) -> (Status, Vector4<f64>, Matrix4<f64>) {
