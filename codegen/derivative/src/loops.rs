@@ -296,12 +296,12 @@ struct Trial {
 }
 
 impl Trials {
-    /// Returns what is known of the loop that the pass reaches now.
+    /// Returns the variables found so far of the loop that the pass reaches now.
     fn begin(&mut self) -> Trial {
         self.of.get(self.at).cloned().unwrap_or_default()
     }
 
-    /// Stores what is known of that loop. The pass goes on to the next.
+    /// Stores the variables of that loop. The pass goes on to the next.
     fn end(&mut self, trial: Trial) {
         match self.of.get_mut(self.at) {
             Some(place) => *place = trial,
@@ -315,7 +315,7 @@ impl Trials {
         std::mem::replace(self, Trials { of: inner, at: 0 })
     }
 
-    /// Ends a pass of a loop; returns what is known of the loops in it.
+    /// Ends a pass of a loop; returns the variables found of the loops in it.
     fn leave(&mut self, around: Trials) -> Vec<Trial> {
         std::mem::replace(self, around).of
     }

@@ -139,7 +139,7 @@ impl Run<'_> {
         }
     }
 
-    /// Gives bars of the elements of a matrix, each of which is that of one or of another matrix, to the chosen ones.
+    /// Gives bars of the elements of a matrix to the chosen elements: each is an element of `one` or of `other`.
     pub(super) fn elements_backwards(
         &mut self,
         back: &mut Back,

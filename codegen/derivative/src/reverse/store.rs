@@ -72,6 +72,8 @@ pub fn kept(run: &mut Run<'_>, mut forwards: Block, mut backwards: Block) -> Res
     reads.block(&backwards);
     let mut nested = Nested::default();
     nested.block(&forwards);
+    let mut assigned = Assigned::default();
+    assigned.block(&forwards);
     let mut first = Vec::new();
     let mut homes: BTreeMap<LocalId, Expr> = BTreeMap::new();
     let mut stores: BTreeMap<LocalId, Place> = BTreeMap::new();
@@ -84,7 +86,8 @@ pub fn kept(run: &mut Run<'_>, mut forwards: Block, mut backwards: Block) -> Res
         };
         let local = &local;
         let of = run.locals[local.index()].clone();
-        let value = declared.value.as_ref();
+        // What a loop or a call changes later is no longer its first value.
+        let value = declared.value.as_ref().filter(|_| !assigned.written.contains(local));
         if let Some(value) = value.filter(|it| run.is_cheap(it, &nested.counters)) {
             let mut operands = Assigned::default();
             operands.expr(value);

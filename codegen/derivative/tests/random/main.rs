@@ -5,7 +5,7 @@
 //! A derivative that is known to be zero is not computed, where dual numbers add a zero: the sign of a zero may differ, and
 //! a function that meets an infinity or NaN is left out. At least half of the calls must remain.
 //!
-//! `BESSEMER_RANDOM=10000` differentiates so many functions, from the seed `BESSEMER_RANDOM_FROM` on.
+//! `BESSEMER_RANDOM=10000` differentiates ten thousand functions, from the seed `BESSEMER_RANDOM_FROM` on.
 
 mod covariance;
 mod differences;
@@ -24,7 +24,7 @@ use bessemer_ir::{Block, Function, FunctionId, Module};
 /// Number of random functions; with `BESSEMER_FULL` ten times as many.
 const FUNCTIONS: u64 = 150;
 
-/// Returns the seeds of a run: of so many functions, or the chosen ones.
+/// Returns the seeds of a run: the chosen ones, or a number of functions.
 fn seeds(functions: u64) -> std::ops::Range<u64> {
     let number = |name: &str| std::env::var(name).ok()?.parse::<u64>().ok();
     let full = if std::env::var_os("BESSEMER_FULL").is_some() { 10 } else { 1 };
