@@ -156,7 +156,7 @@ fn a_drive_in_single_precision_keeps_its_bits_and_its_limits() {
     let sizes = sizes::run(&package, &args::Sizes::default(), false);
     let sizes = sizes.unwrap_or_else(|error| panic!("{error}"));
     let last = |text: &str, name: &str, from_end: usize| -> Option<u64> {
-        let row = text.lines().find(|line| line.trim_start().starts_with(name))?;
+        let row = text.lines().rfind(|line| line.trim_start().starts_with(name))?;
         row.split_whitespace().rev().nth(from_end)?.parse().ok()
     };
     let estimated = last(&sizes, "drive_step", 0).unwrap_or_else(|| panic!("{sizes}"));
