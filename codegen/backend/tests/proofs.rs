@@ -174,7 +174,13 @@ functions! {
         smaller_float_without_a_largest, divisor_from_a_float, moved_on_in_a_loop,
         sum_of_too_many_signed_numbers, moved_up_and_back_before_a_continue_beyond,
         zeros_of_a_number_beyond, float_between_numbers_beyond, float_not_below_a_number,
-        rest_of_a_length_beyond;
+        rest_of_a_length_beyond,
+        search_by_halves_beyond, search_by_wholes_beyond, search_between_ends_beyond,
+        search_in_a_slice_beyond, width_of_numbers_beyond, width_of_nothing_beyond,
+        order_where_a_loop_is_left, order_moved_twice_in_a_pass, greater_of_two_paths,
+        alternative_that_may_fail, sum_beyond_a_length,
+        width_of_signed_numbers_beyond, search_by_a_difference_beyond, list_filled_in_a_loop_beyond,
+        middle_of_signed_numbers, middle_of_numbers, field_that_wraps_in_a_loop, moved_beside_a_field_that_wraps;
     proved:
         sum_of_signed_numbers, moved_up_and_back_before_a_continue, zeros_of_a_number,
         float_in_a_local, float_between_numbers, zero_of_either_sign, rest_of_a_length,
@@ -186,5 +192,9 @@ functions! {
         returned_index, returned_in_fields, returned_by_what_it_calls,
         returned_always_some, divisor_of_another_type, left_within_a_bound, clamped_float,
         share_of_a_table, length_below_another,
-        moved_back_in_a_loop;
+        moved_back_in_a_loop,
+        search_by_halves, search_between_ends, search_in_a_slice, width_of_numbers,
+        width_by_larger_and_smaller, order_moved_in_a_pass, lesser_of_two_paths,
+        alternative_that_fails, sum_below_a_length,
+        width_of_signed_numbers, middle_of_ordered_numbers, search_by_a_difference, list_filled_in_a_loop;
 }

@@ -44,6 +44,8 @@ pub(crate) fn of_expr(expr: &Expr, facts: &State) -> Vec<Obligation> {
             (Intrinsic::RemEuclid, [a, b]) => needs.of_binary(BinaryOp::Rem, a, b),
             _ => Vec::new(),
         },
+        // A number between two others is within their type.
+        ExprKind::Binary(BinaryOp::Add, ..) if facts.halved(expr).is_some() => Vec::new(),
         ExprKind::Binary(op, a, b) => needs.of_binary(*op, a, b),
         _ => Vec::new(),
     }

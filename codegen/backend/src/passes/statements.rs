@@ -182,7 +182,7 @@ impl Lowering<'_> {
         if is_own_in_c(&value, &place) || self.has(&place, &value) {
             return;
         }
-        self.facts.assign(&place, known);
+        self.facts.store(&place, &value, known);
         self.emit(StmtKind::Assign { place, value }, span);
     }
 

@@ -337,8 +337,7 @@ void ring_buffer_u16_4_pop(ring_buffer_u16_4_t *BESSEMER_RESTRICT self,
 {
     const uint32_t oldest = self->oldest % 4U;
     if (self->count == 0U) {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u16_t){.is_some = false};
         return;
     }
     self->count -= 1U;

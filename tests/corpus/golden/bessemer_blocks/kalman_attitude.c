@@ -11,12 +11,15 @@ void error_state_filter_f64_init(error_state_filter_f64_t *self)
     self->bias[0] = 0.0;
     self->bias[1] = 0.0;
     self->bias[2] = 0.0;
-    static const double initial_elements[36] = {
-        0.09, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.09, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.09, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.0009, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0009, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        0.0009
-    };
-    (void)memcpy(self->covariance.elements, initial_elements, sizeof(initial_elements));
+    for (uint32_t i = 0U; i < 36U; i++) {
+        self->covariance.elements[i] = 0.0;
+    }
+    self->covariance.elements[0 + 6 * 0] = 0.09;
+    self->covariance.elements[1 + 6 * 1] = 0.09;
+    self->covariance.elements[2 + 6 * 2] = 0.09;
+    self->covariance.elements[3 + 6 * 3] = 0.0009;
+    self->covariance.elements[4 + 6 * 4] = 0.0009;
+    self->covariance.elements[5 + 6 * 5] = 0.0009;
 }
 
 void error_state_filter_f64_step(error_state_filter_f64_t *BESSEMER_RESTRICT self,

@@ -18,8 +18,7 @@ void decimator_f32_5_step(decimator_f32_5_t *BESSEMER_RESTRICT self, const float
     self->samples[self->newest] = sample;
     if (self->wait > 0U) {
         self->wait -= 1U;
-        result->is_some = false;
-        result->value = 0.0F;
+        *result = (option_f32_t){.is_some = false};
         return;
     }
     self->wait = saturating_sub_u32(factor, 1U);

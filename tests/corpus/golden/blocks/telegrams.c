@@ -15,8 +15,7 @@ bool commands_put(commands_t *self, uint16_t command)
 void commands_take(commands_t *BESSEMER_RESTRICT self, option_u16_t *BESSEMER_RESTRICT result)
 {
     if (ring_buffer_u16_4_is_empty(&self->queue)) {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u16_t){.is_some = false};
     } else {
         ring_buffer_u16_4_pop(&self->queue, result);
     }

@@ -46,8 +46,7 @@ void best_of_nearest(const float values[5], float to, option_usize_t *BESSEMER_R
         }
     }
     if (!best.is_some) {
-        result->is_some = false;
-        result->value = UINT64_C(0);
+        *result = (option_usize_t){.is_some = false};
         return;
     }
     result->is_some = true;
@@ -80,8 +79,7 @@ void best_of_peak(const uint8_t values[5], option_usize_t *BESSEMER_RESTRICT res
         result->is_some = true;
         result->value = found.value.first;
     } else {
-        result->is_some = false;
-        result->value = UINT64_C(0);
+        *result = (option_usize_t){.is_some = false};
     }
 }
 

@@ -30,8 +30,7 @@ bessemer_status_t chain_links_leading_number(const uint8_t text[6],
             result_choice.is_some = true;
             result_choice.value = (uint8_t)(text[i] - 48U);
         } else {
-            result_choice.is_some = false;
-            result_choice.value = 0U;
+            result_choice = (option_u8_t){.is_some = false};
         }
         if (result_choice.is_some) {
             const uint8_t digit = result_choice.value;
@@ -66,8 +65,7 @@ bessemer_status_t chain_links_highest(const int32_t flows[6], int32_t start,
             result_choice.is_some = true;
             result_choice.value = level;
         } else {
-            result_choice.is_some = false;
-            result_choice.value = 0;
+            result_choice = (option_i32_t){.is_some = false};
         }
         if (result_choice.is_some) {
             const int32_t value = result_choice.value;
@@ -101,8 +99,7 @@ void chain_links_places(const uint16_t readings[6],
     pair_option_u16_option_usize_t *BESSEMER_RESTRICT result)
 {
     uint32_t left = 1U;
-    result->first.is_some = false;
-    result->first.value = 0U;
+    result->first = (option_u16_t){.is_some = false};
     for (uint32_t i = 0U; i < 6U; i++) {
         if (readings[i] < 4096U) {
             if (left == 0U) {
@@ -113,8 +110,7 @@ void chain_links_places(const uint16_t readings[6],
             left -= 1U;
         }
     }
-    result->second.is_some = false;
-    result->second.value = UINT64_C(0);
+    result->second = (option_usize_t){.is_some = false};
     for (uint32_t i = 6U; i-- > 0U;) {
         if (readings[i] == 0U) {
             result->second.is_some = true;

@@ -42,8 +42,7 @@ bessemer_status_t chunks_passed(const uint8_t bytes[10], uint64_t used, uint32_t
             return BESSEMER_STATUS_OK;
         }
     }
-    result->is_some = false;
-    result->value = UINT64_C(0);
+    *result = (option_usize_t){.is_some = false};
     return BESSEMER_STATUS_OK;
 }
 
@@ -58,8 +57,7 @@ bessemer_status_t chunks_leading_number(const uint8_t text[6],
         option_u16_t number_option;
         math_checked_mul_u16(number, 10U, &number_option);
         if (!number_option.is_some) {
-            result->is_some = false;
-            result->value = 0U;
+            *result = (option_u16_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
         if (text[i] < 48U) {
@@ -69,8 +67,7 @@ bessemer_status_t chunks_leading_number(const uint8_t text[6],
         math_checked_add_u16(number_option.value, (uint16_t)(uint8_t)(text[i] - 48U),
             &number_option_2);
         if (!number_option_2.is_some) {
-            result->is_some = false;
-            result->value = 0U;
+            *result = (option_u16_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
         number = number_option_2.value;

@@ -35,8 +35,7 @@ void closure_patterns_next(const closure_patterns_track_t tracks[6], uint64_t af
         result->is_some = true;
         result->value = find.value.first;
     } else {
-        result->is_some = false;
-        result->value = UINT64_C(0);
+        *result = (option_usize_t){.is_some = false};
     }
 }
 

@@ -265,8 +265,7 @@ void compared_iterators_floats(const double x[3], const double y[3], uint64_t n,
 void compared_iterators_best(const int16_t a[5], const double x[4],
     tuple4_option_i16_option_f64_option_i16_option_usize_t *BESSEMER_RESTRICT result)
 {
-    result->first.is_some = false;
-    result->first.value = 0;
+    result->first = (option_i16_t){.is_some = false};
     for (uint32_t i = 0U; i < 5U; i++) {
         if ((int16_t)(a[i] % 2) == 1) {
             if (result->first.is_some) {
@@ -280,8 +279,7 @@ void compared_iterators_best(const int16_t a[5], const double x[4],
             }
         }
     }
-    result->second.is_some = false;
-    result->second.value = 0.0;
+    result->second = (option_f64_t){.is_some = false};
     for (uint32_t i = 0U; i < 4U; i++) {
         const double b = 0.5 * x[i];
         if (result->second.is_some) {
@@ -294,8 +292,7 @@ void compared_iterators_best(const int16_t a[5], const double x[4],
             result->second.value = b;
         }
     }
-    result->third.is_some = false;
-    result->third.value = 0;
+    result->third = (option_i16_t){.is_some = false};
     option_i16_t largest = {.is_some = false};
     for (uint32_t i = 1U; i < 5U; i++) {
         const int16_t key = wrap_i16((uint16_t)((uint32_t)a[i] * 3U));
@@ -337,8 +334,7 @@ void compared_iterators_best(const int16_t a[5], const double x[4],
         result->fourth.is_some = true;
         result->fourth.value = found.value.first;
     } else {
-        result->fourth.is_some = false;
-        result->fourth.value = UINT64_C(0);
+        result->fourth = (option_usize_t){.is_some = false};
     }
 }
 

@@ -8,8 +8,7 @@ void contained_share(float x, option_f32_t *result)
         result->is_some = true;
         result->value = x;
     } else {
-        result->is_some = false;
-        result->value = 0.0F;
+        *result = (option_f32_t){.is_some = false};
     }
 }
 
@@ -20,7 +19,6 @@ void contained_inside(int32_t low, int32_t width, int32_t x, option_i32_t *resul
         result->is_some = true;
         result->value = wrap_i32((uint32_t)x - u32_from_i32(low / 2 + high / 2));
     } else {
-        result->is_some = false;
-        result->value = 0;
+        *result = (option_i32_t){.is_some = false};
     }
 }

@@ -34,17 +34,16 @@ void converted_errors_payload(const uint8_t frame[3],
             .value = (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U))
         };
     } else if (frame[0] == 0U && frame[1] == 0U && frame[2] == 0U) {
-        static const result_u16_frame_fault_t payload = {
+        *result = (result_u16_frame_fault_t){
             .is_ok = false,
             .error = {.tag = FRAME_FAULT_TAG_SHORT}
         };
-        *result = payload;
     } else {
         const uint8_t start = frame[0];
-        result->is_ok = false;
-        result->value = 0U;
-        result->error.tag = FRAME_FAULT_TAG_START;
-        result->error.start = start;
+        *result = (result_u16_frame_fault_t){
+            .is_ok = false,
+            .error = {.tag = FRAME_FAULT_TAG_START, .start = start}
+        };
     }
 }
 
@@ -56,18 +55,15 @@ void converted_errors_current(const uint8_t frame[3], float limit,
     if (!current_outcome.is_ok) {
         drive_fault_t result_error;
         drive_fault_from_frame_fault(&current_outcome.error, &result_error);
-        result->is_ok = false;
-        result->value = 0.0F;
-        result->error = result_error;
+        *result = (result_f32_drive_fault_t){.is_ok = false, .error = result_error};
         return;
     }
     const float current = (float)current_outcome.value * 0.01F;
     if (current > limit) {
-        static const result_f32_drive_fault_t current_2 = {
+        *result = (result_f32_drive_fault_t){
             .is_ok = false,
             .error = {.tag = DRIVE_FAULT_TAG_OVERLOAD}
         };
-        *result = current_2;
         return;
     }
     *result = (result_f32_drive_fault_t){.is_ok = true, .value = current};
@@ -81,9 +77,7 @@ void converted_errors_total(const uint8_t one[3], const uint8_t other[3], float 
     if (!outcome.is_ok) {
         fault_code_t result_error;
         fault_code_from_drive_fault(&outcome.error, &result_error);
-        result->is_ok = false;
-        result->value = 0.0F;
-        result->error = result_error;
+        *result = (result_f32_fault_code_t){.is_ok = false, .error = result_error};
         return;
     }
     result_f32_drive_fault_t other_outcome;
@@ -91,14 +85,13 @@ void converted_errors_total(const uint8_t one[3], const uint8_t other[3], float 
     if (!other_outcome.is_ok) {
         fault_code_t result_error;
         fault_code_from_drive_fault(&other_outcome.error, &result_error);
-        result->is_ok = false;
-        result->value = 0.0F;
-        result->error = result_error;
+        *result = (result_f32_fault_code_t){.is_ok = false, .error = result_error};
         return;
     }
-    result->is_ok = true;
-    result->value = outcome.value + other_outcome.value;
-    result->error.value = 0U;
+    *result = (result_f32_fault_code_t){
+        .is_ok = true,
+        .value = outcome.value + other_outcome.value
+    };
 }
 
 /* converted_errors.h */

@@ -35,8 +35,7 @@ bessemer_status_t gathered_added(uint16_t sums[BESSEMER_RESTRICT 4], const uint8
 void gathered_largest(const double values[4], uint64_t count,
     option_f64_t *BESSEMER_RESTRICT result)
 {
-    result->is_some = false;
-    result->value = 0.0;
+    *result = (option_f64_t){.is_some = false};
     const uint32_t result_count = (uint32_t)min_u64(count, UINT64_C(4));
     for (uint32_t i = 0U; i < result_count; i++) {
         double reduced_choice;
@@ -86,8 +85,7 @@ bessemer_status_t gathered_balance(const int32_t values[5], int32_t *BESSEMER_RE
 
 void gathered_parity(uint8_t end, option_u8_t *result)
 {
-    result->is_some = false;
-    result->value = 0U;
+    *result = (option_u8_t){.is_some = false};
     for (uint8_t b = 0U; b < end; b++) {
         if (b % 3U == 1U) {
             uint8_t reduced_choice;

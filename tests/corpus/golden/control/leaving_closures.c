@@ -5,16 +5,14 @@
 void leaving_closures_root(double x, option_f64_t *result)
 {
     if (isnan(x) != 0) {
-        result->is_some = false;
-        result->value = 0.0;
+        *result = (option_f64_t){.is_some = false};
         return;
     }
     if (x >= 0.0) {
         result->is_some = true;
         result->value = sqrt(x);
     } else {
-        result->is_some = false;
-        result->value = 0.0;
+        *result = (option_f64_t){.is_some = false};
     }
 }
 
@@ -24,14 +22,12 @@ double leaving_closures_roots(double x, double y)
     option_f64_t option;
     leaving_closures_root(x, &option);
     if (!option.is_some) {
-        result_choice.is_some = false;
-        result_choice.value = 0.0;
+        result_choice = (option_f64_t){.is_some = false};
     } else {
         option_f64_t y_option;
         leaving_closures_root(y, &y_option);
         if (!y_option.is_some) {
-            result_choice.is_some = false;
-            result_choice.value = 0.0;
+            result_choice = (option_f64_t){.is_some = false};
         } else {
             result_choice.is_some = true;
             result_choice.value = option.value + y_option.value;
@@ -52,13 +48,11 @@ int32_t leaving_closures_known(const int32_t readings[6], int32_t scale)
         option_i32_t x_option;
         math_checked_mul_i32(readings[i], scale, &x_option);
         if (!x_option.is_some) {
-            result_choice.is_some = false;
-            result_choice.value = 0;
+            result_choice = (option_i32_t){.is_some = false};
         } else {
             const int32_t x = x_option.value;
             if (x % 2 == 0) {
-                result_choice.is_some = false;
-                result_choice.value = 0;
+                result_choice = (option_i32_t){.is_some = false};
             } else {
                 math_checked_add_i32(x, 1, &result_choice);
             }

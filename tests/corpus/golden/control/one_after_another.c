@@ -41,8 +41,7 @@ uint8_t one_after_another_checksum(const uint8_t header[3], const list6_u8_t *pa
 void one_after_another_first_zero(const int16_t before[3], const int16_t now[2],
     option_usize_t *BESSEMER_RESTRICT result)
 {
-    result->is_some = false;
-    result->value = UINT64_C(0);
+    *result = (option_usize_t){.is_some = false};
     for (uint32_t i = 0U; i < 5U; i++) {
         int16_t x;
         if (i < 3U) {

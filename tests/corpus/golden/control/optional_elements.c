@@ -15,16 +15,14 @@ uint32_t optional_elements_total(const option_u8_t readings[5])
 
 void optional_elements_largest_half(const int32_t values[5], option_i32_t *BESSEMER_RESTRICT result)
 {
-    result->is_some = false;
-    result->value = 0;
+    *result = (option_i32_t){.is_some = false};
     for (uint32_t i = 0U; i < 5U; i++) {
         option_i32_t result_choice;
         if (values[i] % 2 == 0) {
             result_choice.is_some = true;
             result_choice.value = values[i] / 2;
         } else {
-            result_choice.is_some = false;
-            result_choice.value = 0;
+            result_choice = (option_i32_t){.is_some = false};
         }
         if (result_choice.is_some) {
             const int32_t value = result_choice.value;

@@ -23,8 +23,7 @@ bessemer_status_t programs_control_own_iterators_ramp_next(
     option_i32_t *BESSEMER_RESTRICT result)
 {
     if (self->at == self->goal) {
-        result->is_some = false;
-        result->value = 0;
+        *result = (option_i32_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
     const int32_t left = saturating_sub_i32(self->goal, self->at);

@@ -5,17 +5,11 @@
 void question_mark_voltage(uint16_t count, result_f64_failure_t *result)
 {
     if (count <= 9U) {
-        result->is_ok = false;
-        result->value = 0.0;
-        result->error = FAILURE_SHORT;
+        *result = (result_f64_failure_t){.is_ok = false, .error = FAILURE_SHORT};
     } else if (count >= 4000U) {
-        result->is_ok = false;
-        result->value = 0.0;
-        result->error = FAILURE_OPEN;
+        *result = (result_f64_failure_t){.is_ok = false, .error = FAILURE_OPEN};
     } else {
-        result->is_ok = true;
-        result->value = (double)count / 1000.0;
-        result->error = FAILURE_OPEN;
+        *result = (result_f64_failure_t){.is_ok = true, .value = (double)count / 1000.0};
     }
 }
 
@@ -24,24 +18,18 @@ void question_mark_power(uint16_t volts, uint16_t amperes, result_f64_failure_t 
     result_f64_failure_t u_outcome;
     question_mark_voltage(volts, &u_outcome);
     if (!u_outcome.is_ok) {
-        result->is_ok = false;
-        result->value = 0.0;
-        result->error = u_outcome.error;
+        *result = (result_f64_failure_t){.is_ok = false, .error = u_outcome.error};
         return;
     }
     const double u = u_outcome.value;
     result_f64_failure_t i_outcome;
     question_mark_voltage(amperes, &i_outcome);
     if (!i_outcome.is_ok) {
-        result->is_ok = false;
-        result->value = 0.0;
-        result->error = i_outcome.error;
+        *result = (result_f64_failure_t){.is_ok = false, .error = i_outcome.error};
         return;
     }
     const double i = i_outcome.value;
-    result->is_ok = true;
-    result->value = u * i;
-    result->error = FAILURE_OPEN;
+    *result = (result_f64_failure_t){.is_ok = true, .value = u * i};
 }
 
 /* question_mark.h */

@@ -4,8 +4,7 @@
 
 void searches_largest(const int32_t counts[6], option_i32_t *BESSEMER_RESTRICT result)
 {
-    result->is_some = false;
-    result->value = 0;
+    *result = (option_i32_t){.is_some = false};
     for (uint32_t i = 0U; i < 6U; i++) {
         if (counts[i] > 0) {
             if (result->is_some) {
@@ -24,8 +23,7 @@ void searches_largest(const int32_t counts[6], option_i32_t *BESSEMER_RESTRICT r
 void searches_over(const double channels[5], const double limits[5],
     option_usize_t *BESSEMER_RESTRICT result)
 {
-    result->is_some = false;
-    result->value = UINT64_C(0);
+    *result = (option_usize_t){.is_some = false};
     for (uint32_t i = 0U; i < 5U; i++) {
         if (channels[i] > limits[i]) {
             result->is_some = true;
@@ -37,8 +35,7 @@ void searches_over(const double channels[5], const double limits[5],
 
 void searches_empty(const float cells[8], option_f32_t *BESSEMER_RESTRICT result)
 {
-    result->is_some = false;
-    result->value = 0.0F;
+    *result = (option_f32_t){.is_some = false};
     for (uint32_t i = 0U; i < 8U; i++) {
         if (cells[i] < 3.0F) {
             result->is_some = true;

@@ -34,17 +34,17 @@ bessemer_status_t tried_folds_number(const uint8_t digits[4],
                 math_checked_add_u16(tens.value, (uint16_t)(uint8_t)(digits[i] - 48U),
                     &tried_choice);
             } else {
-                tried_choice.is_some = false;
-                tried_choice.value = 0U;
+                tried_choice = (option_u16_t){.is_some = false};
             }
             result_u16_tried_folds_trouble_t tried_choice_2 = {
                 .is_ok = false,
                 .error = TRIED_FOLDS_TROUBLE_BEYOND
             };
             if (tried_choice.is_some) {
-                tried_choice_2.is_ok = true;
-                tried_choice_2.value = tried_choice.value;
-                tried_choice_2.error = TRIED_FOLDS_TROUBLE_LETTER;
+                tried_choice_2 = (result_u16_tried_folds_trouble_t){
+                    .is_ok = true,
+                    .value = tried_choice.value
+                };
             }
             tried = tried_choice_2;
         }
@@ -58,9 +58,10 @@ bessemer_status_t tried_folds_number(const uint8_t digits[4],
 
 void tried_folds_return_letter(result_u16_tried_folds_trouble_t *result)
 {
-    result->is_ok = false;
-    result->value = 0U;
-    result->error = TRIED_FOLDS_TROUBLE_LETTER;
+    *result = (result_u16_tried_folds_trouble_t){
+        .is_ok = false,
+        .error = TRIED_FOLDS_TROUBLE_LETTER
+    };
 }
 
 void tried_folds_span(const float readings[4], option_pair_f32_f32_t *BESSEMER_RESTRICT result)

@@ -8,8 +8,7 @@ void while_let_halved(uint32_t n, option_u32_t *result)
         result->is_some = true;
         result->value = n / 2U;
     } else {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u32_t){.is_some = false};
     }
 }
 

@@ -8,8 +8,7 @@ static const uint16_t SHORTED = 100U;
 void lookup_table_thermistor(uint16_t counts, option_f32_t *result)
 {
     if (counts < SHORTED || counts > BROKEN) {
-        result->is_some = false;
-        result->value = 0.0F;
+        *result = (option_f32_t){.is_some = false};
         return;
     }
     place_f32_t result_place;

@@ -12,8 +12,7 @@ static const uint32_t KEYS[4][3] = {
 void characters_key(uint64_t row, uint64_t column, option_u32_t *result)
 {
     if (row >= UINT64_C(4)) {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u32_t){.is_some = false};
         return;
     }
     option_u32_t result_found = {.is_some = false};

@@ -6,8 +6,7 @@ void checked_parts_parity(const uint8_t line[8], uint64_t from, uint64_t to,
     option_u8_t *BESSEMER_RESTRICT result)
 {
     if (!(from <= to && to <= UINT64_C(8))) {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u8_t){.is_some = false};
         return;
     }
     uint8_t sum = 0U;
@@ -36,8 +35,7 @@ void checked_parts_behind(const uint8_t line[8], uint64_t from,
 {
     (void)line;
     if (from > UINT64_C(8)) {
-        result->is_some = false;
-        result->value = UINT64_C(0);
+        *result = (option_usize_t){.is_some = false};
         return;
     }
     result->is_some = true;
@@ -61,8 +59,7 @@ void checked_parts_count_up(uint8_t line[BESSEMER_RESTRICT 8], uint64_t index,
     option_u8_t *BESSEMER_RESTRICT result)
 {
     if (index >= UINT64_C(8)) {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u8_t){.is_some = false};
         return;
     }
     line[index] = (uint8_t)((uint32_t)line[index] + 1U);
@@ -90,11 +87,10 @@ bessemer_status_t checked_parts_number(const uint8_t frame[6], uint64_t at,
     }
     const uint64_t value_to = at + UINT64_C(2);
     if (!(at <= value_to && value_to <= UINT64_C(6))) {
-        static const result_u16_checked_parts_missing_t number = {
+        *result = (result_u16_checked_parts_missing_t){
             .is_ok = false,
             .error = {.tag = MISSING_TAG_SHORT}
         };
-        *result = number;
         return BESSEMER_STATUS_OK;
     }
     if (at >= UINT64_C(6)) {
@@ -116,10 +112,10 @@ void checked_parts_sum_up_to(const uint8_t frame[6], uint64_t end,
     result_u16_checked_parts_missing_t *BESSEMER_RESTRICT result)
 {
     if (end > UINT64_C(6)) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error.tag = MISSING_TAG_BEYOND;
-        result->error.beyond = end;
+        *result = (result_u16_checked_parts_missing_t){
+            .is_ok = false,
+            .error = {.tag = MISSING_TAG_BEYOND, .beyond = end}
+        };
         return;
     }
     uint16_t sum = 0U;
@@ -133,8 +129,7 @@ void checked_parts_speed_on(const list4_checked_parts_leg_t *route, uint64_t ind
     option_f64_t *BESSEMER_RESTRICT result)
 {
     if (index >= min_u64(route->length, UINT64_C(4))) {
-        result->is_some = false;
-        result->value = 0.0;
+        *result = (option_f64_t){.is_some = false};
         return;
     }
     result->is_some = true;
@@ -148,11 +143,10 @@ bessemer_status_t checked_parts_last_time(const checked_parts_leg_t route[2], ui
         return BESSEMER_STATUS_INDEX;
     }
     if (count <= UINT64_C(0)) {
-        static const result_f64_checked_parts_missing_t last_time = {
+        *result = (result_f64_checked_parts_missing_t){
             .is_ok = false,
             .error = {.tag = MISSING_TAG_SHORT}
         };
-        *result = last_time;
         return BESSEMER_STATUS_OK;
     }
     *result = (result_f64_checked_parts_missing_t){

@@ -5,8 +5,7 @@
 void transfers_of(transfers_t *BESSEMER_RESTRICT self, uint8_t id,
     option_element_mut_transfer_t *BESSEMER_RESTRICT result)
 {
-    result->is_some = false;
-    result->value.index = UINT64_C(0);
+    *result = (option_element_mut_transfer_t){.is_some = false};
     for (uint32_t i = 0U; i < 6U; i++) {
         if (self->all[i].busy && self->all[i].id == id) {
             result->is_some = true;
@@ -25,13 +24,9 @@ void transfers_at(transfers_t *BESSEMER_RESTRICT self, uint64_t index,
         result_found.is_some = true;
         result_found.value.index = index;
     }
-    result->is_ok = false;
-    result->value.index = UINT64_C(0);
-    result->error = 3U;
+    *result = (result_element_mut_transfer_u8_t){.is_ok = false, .error = 3U};
     if (result_found.is_some) {
-        result->is_ok = true;
-        result->value = result_found.value;
-        result->error = 0U;
+        *result = (result_element_mut_transfer_u8_t){.is_ok = true, .value = result_found.value};
     }
 }
 
@@ -74,8 +69,7 @@ void transfers_begun(transfers_t *BESSEMER_RESTRICT self, uint8_t id,
         }
     }
     if (!free.is_some) {
-        result->is_some = false;
-        result->value.index = UINT64_C(0);
+        *result = (option_element_mut_transfer_t){.is_some = false};
         return;
     }
     self->all[free.value.index].busy = true;
@@ -186,15 +180,11 @@ void chosen_elements_end(transfers_t *BESSEMER_RESTRICT transfers, uint64_t inde
     result_element_mut_transfer_u8_t outcome;
     transfers_at(transfers, index, &outcome);
     if (!outcome.is_ok) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error = outcome.error;
+        *result = (result_u16_u8_t){.is_ok = false, .error = outcome.error};
         return;
     }
     transfers->all[outcome.value.index].busy = false;
-    result->is_ok = true;
-    result->value = transfers->all[outcome.value.index].tries;
-    result->error = 0U;
+    *result = (result_u16_u8_t){.is_ok = true, .value = transfers->all[outcome.value.index].tries};
 }
 
 uint64_t chosen_elements_halve(float readings[5], float most)
@@ -270,18 +260,20 @@ bessemer_status_t chosen_elements_frame_put(chosen_elements_frame_t *BESSEMER_RE
     if (value_index < 5U) {
         self->bytes[value_index] = byte;
     } else {
-        result->is_ok = false;
-        result->value.index = UINT64_C(0);
-        result->error = self->length;
+        *result = (result_element_mut_chosen_elements_frame_u8_t){
+            .is_ok = false,
+            .error = self->length
+        };
         return BESSEMER_STATUS_OK;
     }
     if (self->length > 254U) {
         return BESSEMER_STATUS_OVERFLOW;
     }
     self->length = (uint8_t)(self->length + 1U);
-    result->is_ok = true;
-    result->value.index = UINT64_C(0);
-    result->error = 0U;
+    *result = (result_element_mut_chosen_elements_frame_u8_t){
+        .is_ok = true,
+        .value = {.index = UINT64_C(0)}
+    };
     return BESSEMER_STATUS_OK;
 }
 
@@ -296,9 +288,10 @@ bessemer_status_t chosen_elements_frame_put_word(chosen_elements_frame_t *BESSEM
         return status;
     }
     if (!outcome.is_ok) {
-        result->is_ok = false;
-        result->value.index = UINT64_C(0);
-        result->error = outcome.error;
+        *result = (result_element_mut_chosen_elements_frame_u8_t){
+            .is_ok = false,
+            .error = outcome.error
+        };
         return BESSEMER_STATUS_OK;
     }
     status = chosen_elements_frame_put(self, elements[1], result);
@@ -318,9 +311,7 @@ bessemer_status_t chosen_elements_framed(chosen_elements_frame_t *BESSEMER_RESTR
         return status;
     }
     if (!outcome.is_ok) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error = outcome.error;
+        *result = (result_u8_u8_t){.is_ok = false, .error = outcome.error};
         return BESSEMER_STATUS_OK;
     }
     result_element_mut_chosen_elements_frame_u8_t frame_outcome;
@@ -329,15 +320,11 @@ bessemer_status_t chosen_elements_framed(chosen_elements_frame_t *BESSEMER_RESTR
         return status;
     }
     if (!frame_outcome.is_ok) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error = frame_outcome.error;
+        *result = (result_u8_u8_t){.is_ok = false, .error = frame_outcome.error};
         return BESSEMER_STATUS_OK;
     }
     frame->bytes[0] = (uint8_t)(frame->bytes[0] | 0x80U);
-    result->is_ok = true;
-    result->value = frame->length;
-    result->error = 0U;
+    *result = (result_u8_u8_t){.is_ok = true, .value = frame->length};
     return BESSEMER_STATUS_OK;
 }
 

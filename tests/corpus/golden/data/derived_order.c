@@ -97,8 +97,7 @@ static void derived_order_sort_by_in_sorted(derived_order_key_t values[], uint64
 void derived_order_place_of(const derived_order_key_t keys[4], const derived_order_key_t *limit,
     option_usize_t *BESSEMER_RESTRICT result)
 {
-    result->is_some = false;
-    result->value = UINT64_C(0);
+    *result = (option_usize_t){.is_some = false};
     for (uint32_t i = 4U; i-- > 0U;) {
         if (keys[i].source < limit->source
                 || (keys[i].source == limit->source

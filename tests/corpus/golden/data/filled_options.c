@@ -66,8 +66,7 @@ void filled_options_only(const option_f32_t *left, const option_f32_t *right,
         result->is_some = true;
         result->value = right->value;
     } else {
-        result->is_some = false;
-        result->value = 0.0F;
+        *result = (option_f32_t){.is_some = false};
     }
 }
 

@@ -24,8 +24,7 @@ void held_ranges_gauge_step(held_ranges_gauge_t *BESSEMER_RESTRICT self, uint16_
 {
     if (!range_contains_u16(&self->samples, number)
             || !range_closed_contains_f32(&self->limits, value)) {
-        result->is_some = false;
-        result->value = 0.0F;
+        *result = (option_f32_t){.is_some = false};
         return;
     }
     self->last = value;

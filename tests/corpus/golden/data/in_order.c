@@ -8,14 +8,10 @@ bool in_order_is_usable(const breakpoints_t *table)
     return sort_is_sorted_f64(table->at, count);
 }
 
-bessemer_status_t in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3],
-    bool result[BESSEMER_RESTRICT 3])
+void in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3], bool result[BESSEMER_RESTRICT 3])
 {
     list4_u8_t list = {.length = UINT64_C(0), .items = {0U, 0U, 0U, 0U}};
     for (uint8_t k = 0U; k < n % 4U; k++) {
-        if (list.length >= UINT64_C(4)) {
-            return BESSEMER_STATUS_CAPACITY;
-        }
         list.items[list.length] = (uint8_t)(k ^ 2U);
         list.length += UINT64_C(1);
     }
@@ -23,7 +19,6 @@ bessemer_status_t in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3],
     result[0] = sort_is_sorted_u8(list.items, min_u64(list.length, UINT64_C(4)));
     result[1] = sort_is_sorted_pair_u8_f32(pairs, UINT64_C(3));
     result[2] = sort_is_sorted_u8(elements, UINT64_C(1));
-    return BESSEMER_STATUS_OK;
 }
 
 /* in_order.h */

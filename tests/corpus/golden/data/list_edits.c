@@ -62,29 +62,24 @@ bessemer_status_t list_edits_served(list6_u8_t *BESSEMER_RESTRICT jobs, uint8_t 
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t list_edits_message(uint16_t sequence, uint32_t value, list6_u8_t *bytes)
+void list_edits_message(uint16_t sequence, uint32_t value, list6_u8_t *bytes)
 {
-    list6_u8_t bytes_value = {.length = UINT64_C(0), .items = {0U, 0U, 0U, 0U, 0U, 0U}};
+    bytes->length = UINT64_C(0);
+    for (uint32_t i = 0U; i < 6U; i++) {
+        bytes->items[i] = 0U;
+    }
     const uint8_t elements[2] = {(uint8_t)(sequence >> 8U), (uint8_t)sequence};
     for (uint32_t i = 0U; i < 2U; i++) {
-        if (bytes_value.length >= UINT64_C(6)) {
-            return BESSEMER_STATUS_CAPACITY;
-        }
-        bytes_value.items[bytes_value.length] = elements[i];
-        bytes_value.length += UINT64_C(1);
+        bytes->items[bytes->length] = elements[i];
+        bytes->length += UINT64_C(1);
     }
     const uint8_t elements_2[4] = {
         (uint8_t)(value >> 24U), (uint8_t)(value >> 16U), (uint8_t)(value >> 8U), (uint8_t)value
     };
     for (uint32_t i = 4U; i-- > 0U;) {
-        if (bytes_value.length >= UINT64_C(6)) {
-            return BESSEMER_STATUS_CAPACITY;
-        }
-        bytes_value.items[bytes_value.length] = elements_2[i];
-        bytes_value.length += UINT64_C(1);
+        bytes->items[bytes->length] = elements_2[i];
+        bytes->length += UINT64_C(1);
     }
-    *bytes = bytes_value;
-    return BESSEMER_STATUS_OK;
 }
 
 bessemer_status_t list_edits_without(const list6_u8_t *list, uint64_t at,

@@ -36,8 +36,7 @@ void lists_mean(lists_t *BESSEMER_RESTRICT self, option_f64_t *BESSEMER_RESTRICT
         }
     }
     if (self->values.length == UINT64_C(0)) {
-        result->is_some = false;
-        result->value = 0.0;
+        *result = (option_f64_t){.is_some = false};
     } else {
         result->is_some = true;
         result->value = sum / (double)self->values.length;
@@ -46,8 +45,7 @@ void lists_mean(lists_t *BESSEMER_RESTRICT self, option_f64_t *BESSEMER_RESTRICT
 
 void lists_last(lists_t *BESSEMER_RESTRICT self, option_f64_t *BESSEMER_RESTRICT result)
 {
-    result->is_some = false;
-    result->value = 0.0;
+    *result = (option_f64_t){.is_some = false};
     if (self->values.length > UINT64_C(0) && self->values.length <= UINT64_C(4)) {
         self->values.length -= UINT64_C(1);
         result->is_some = true;

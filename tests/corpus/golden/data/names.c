@@ -102,27 +102,20 @@ void programs_data_names_mode_of(uint32_t name, option_names_mode_t *result)
         result->is_some = true;
         result->value = PROGRAMS_DATA_NAMES_MODE_PRESSING;
     } else {
-        result->is_some = false;
-        result->value = PROGRAMS_DATA_NAMES_MODE_IDLE;
+        *result = (option_names_mode_t){.is_some = false};
     }
 }
 
 void programs_data_names_positive(double value, result_f64_str_t *result)
 {
     if (isnan(value) != 0) {
-        result->is_ok = false;
-        result->value = 0.0;
-        result->error = NAME_NOT_A_NUMBER;
+        *result = (result_f64_str_t){.is_ok = false, .error = NAME_NOT_A_NUMBER};
         return;
     }
     if (value > 0.0) {
-        result->is_ok = true;
-        result->value = value;
-        result->error = 0U;
+        *result = (result_f64_str_t){.is_ok = true, .value = value};
     } else {
-        result->is_ok = false;
-        result->value = 0.0;
-        result->error = NAME_NOT_POSITIVE;
+        *result = (result_f64_str_t){.is_ok = false, .error = NAME_NOT_POSITIVE};
     }
 }
 
@@ -148,8 +141,7 @@ void programs_data_names_value(uint64_t index, option_f64_t *result)
         }
     }
     if (!found.is_some) {
-        result->is_some = false;
-        result->value = 0.0;
+        *result = (option_f64_t){.is_some = false};
         return;
     }
     result->is_some = true;

@@ -9,16 +9,14 @@ void option_methods_celsius(const option_u16_t *reading, option_f64_t *BESSEMER_
         result_choice.is_some = true;
         result_choice.value = reading->value;
     } else {
-        result_choice.is_some = false;
-        result_choice.value = 0U;
+        result_choice = (option_u16_t){.is_some = false};
     }
     if (result_choice.is_some) {
         const uint16_t raw = result_choice.value;
         result->is_some = true;
         result->value = (double)raw * 0.05 - 40.0;
     } else {
-        result->is_some = false;
-        result->value = 0.0;
+        *result = (option_f64_t){.is_some = false};
     }
 }
 
@@ -27,15 +25,13 @@ void option_methods_inverted(const option_f32_t *x, option_f32_t *BESSEMER_RESTR
     if (x->is_some) {
         const float x_2 = x->value;
         if (x_2 == 0.0F) {
-            result->is_some = false;
-            result->value = 0.0F;
+            *result = (option_f32_t){.is_some = false};
         } else {
             result->is_some = true;
             result->value = 1.0F / x_2;
         }
     } else {
-        result->is_some = false;
-        result->value = 0.0F;
+        *result = (option_f32_t){.is_some = false};
     }
 }
 

@@ -7,8 +7,7 @@ void programs_data_options_slope(const double from[2], const double to[2],
 {
     const double run = to[0] - from[0];
     if (run == 0.0) {
-        result->is_some = false;
-        result->value = 0.0;
+        *result = (option_f64_t){.is_some = false};
     } else {
         result->is_some = true;
         result->value = (to[1] - from[1]) / run;

@@ -66,8 +66,7 @@ bool own_equality_same_heading(const heading_t *one, const heading_t *other)
 void own_equality_place_of(const bearing_t bearings[3], const bearing_t *wanted,
     option_usize_t *BESSEMER_RESTRICT result)
 {
-    result->is_some = false;
-    result->value = UINT64_C(0);
+    *result = (option_usize_t){.is_some = false};
     for (uint32_t i = 0U; i < 3U; i++) {
         if (bearing_eq(&bearings[i], wanted)) {
             result->is_some = true;

@@ -6,21 +6,18 @@ void result_methods_value(const uint8_t frame[4],
     result_u16_frame_error_t *BESSEMER_RESTRICT result)
 {
     if (frame[0] < 2U) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error = FRAME_ERROR_SHORT;
+        *result = (result_u16_frame_error_t){.is_ok = false, .error = FRAME_ERROR_SHORT};
         return;
     }
     if ((uint8_t)(frame[1] ^ frame[2]) != frame[3]) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error = FRAME_ERROR_CHECKSUM;
+        *result = (result_u16_frame_error_t){.is_ok = false, .error = FRAME_ERROR_CHECKSUM};
         return;
     }
     const uint8_t result_bytes[2] = {frame[1], frame[2]};
-    result->is_ok = true;
-    result->value = (uint16_t)(((uint32_t)result_bytes[0] << 8U) | result_bytes[1]);
-    result->error = FRAME_ERROR_SHORT;
+    *result = (result_u16_frame_error_t){
+        .is_ok = true,
+        .value = (uint16_t)(((uint32_t)result_bytes[0] << 8U) | result_bytes[1])
+    };
 }
 
 void result_methods_volts(const uint8_t frame[4], result_f32_link_error_t *BESSEMER_RESTRICT result)
@@ -29,13 +26,12 @@ void result_methods_volts(const uint8_t frame[4], result_f32_link_error_t *BESSE
     result_u16_frame_error_t raw;
     result_methods_value(frame, &raw);
     if (raw.is_ok) {
-        result_choice.is_ok = true;
-        result_choice.value = (float)raw.value * 0.001F;
-        result_choice.error = FRAME_ERROR_SHORT;
+        result_choice = (result_f32_frame_error_t){
+            .is_ok = true,
+            .value = (float)raw.value * 0.001F
+        };
     } else {
-        result_choice.is_ok = false;
-        result_choice.value = 0.0F;
-        result_choice.error = raw.error;
+        result_choice = (result_f32_frame_error_t){.is_ok = false, .error = raw.error};
     }
     if (result_choice.is_ok) {
         *result = (result_f32_link_error_t){.is_ok = true, .value = result_choice.value};
@@ -44,8 +40,7 @@ void result_methods_volts(const uint8_t frame[4], result_f32_link_error_t *BESSE
         link_error_t result_choice_2;
         switch (error) {
         case FRAME_ERROR_SHORT:
-            result_choice_2.tag = LINK_ERROR_TAG_SILENT;
-            result_choice_2.damaged = 0U;
+            result_choice_2 = (link_error_t){.tag = LINK_ERROR_TAG_SILENT};
             break;
         case FRAME_ERROR_CHECKSUM:
         default:
@@ -53,9 +48,7 @@ void result_methods_volts(const uint8_t frame[4], result_f32_link_error_t *BESSE
             result_choice_2.damaged = frame[0];
             break;
         }
-        result->is_ok = false;
-        result->value = 0.0F;
-        result->error = result_choice_2;
+        *result = (result_f32_link_error_t){.is_ok = false, .error = result_choice_2};
     }
 }
 
@@ -65,9 +58,7 @@ void result_methods_total(const uint8_t one[4], const uint8_t other[4],
     result_u16_frame_error_t one_outcome;
     result_methods_value(one, &one_outcome);
     if (!one_outcome.is_ok) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error = one_outcome.error;
+        *result = (result_u16_frame_error_t){.is_ok = false, .error = one_outcome.error};
         return;
     }
     const uint16_t one_2 = one_outcome.value;
@@ -77,18 +68,12 @@ void result_methods_total(const uint8_t one[4], const uint8_t other[4],
         option_u16_t value;
         math_checked_add_u16(one_2, other_2.value, &value);
         if (value.is_some) {
-            result->is_ok = true;
-            result->value = value.value;
-            result->error = FRAME_ERROR_SHORT;
+            *result = (result_u16_frame_error_t){.is_ok = true, .value = value.value};
         } else {
-            result->is_ok = false;
-            result->value = 0U;
-            result->error = FRAME_ERROR_CHECKSUM;
+            *result = (result_u16_frame_error_t){.is_ok = false, .error = FRAME_ERROR_CHECKSUM};
         }
     } else {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error = other_2.error;
+        *result = (result_u16_frame_error_t){.is_ok = false, .error = other_2.error};
     }
 }
 

@@ -6,21 +6,18 @@ void results_payload(const uint8_t frame[3], uint8_t len,
     result_u16_refused_t *BESSEMER_RESTRICT result)
 {
     if (len < 3U) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error = REFUSED_SHORT;
+        *result = (result_u16_refused_t){.is_ok = false, .error = REFUSED_SHORT};
         return;
     }
     if ((uint8_t)((uint32_t)frame[0] + (uint32_t)frame[1]) != frame[2]) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error = REFUSED_CHECKSUM;
+        *result = (result_u16_refused_t){.is_ok = false, .error = REFUSED_CHECKSUM};
         return;
     }
     const uint8_t result_bytes[2] = {frame[0], frame[1]};
-    result->is_ok = true;
-    result->value = (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
-    result->error = REFUSED_SHORT;
+    *result = (result_u16_refused_t){
+        .is_ok = true,
+        .value = (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U))
+    };
 }
 
 /* results.h */

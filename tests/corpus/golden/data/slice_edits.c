@@ -50,28 +50,15 @@ void slice_edits_fields(const uint8_t frame[10], pair_u32_i16_t *BESSEMER_RESTRI
     result->second = wrap_i16((uint16_t)(((uint32_t)result_bytes[0] << 8U) | result_bytes[1]));
 }
 
-bessemer_status_t slice_edits_field(const list16_u8_t *frame, uint64_t at,
+void slice_edits_field(const list16_u8_t *frame, uint64_t at,
     option_u32_t *BESSEMER_RESTRICT result)
 {
     if (at > min_u64(frame->length, UINT64_C(16))) {
-        result->is_some = false;
-        result->value = 0U;
-        return BESSEMER_STATUS_OK;
+        *result = (option_u32_t){.is_some = false};
+        return;
     }
     option_u8x4_t result_part = {.is_some = false};
     if (min_u64(frame->length, UINT64_C(16)) - at >= UINT64_C(4)) {
-        if (at >= UINT64_C(16)) {
-            return BESSEMER_STATUS_INDEX;
-        }
-        if (at + UINT64_C(1) >= UINT64_C(16)) {
-            return BESSEMER_STATUS_INDEX;
-        }
-        if (at + UINT64_C(2) >= UINT64_C(16)) {
-            return BESSEMER_STATUS_INDEX;
-        }
-        if (at + UINT64_C(3) >= UINT64_C(16)) {
-            return BESSEMER_STATUS_INDEX;
-        }
         result_part.is_some = true;
         result_part.value[0] = frame->items[at];
         result_part.value[1] = frame->items[at + UINT64_C(1)];
@@ -82,11 +69,8 @@ bessemer_status_t slice_edits_field(const list16_u8_t *frame, uint64_t at,
         result->is_some = true;
         result->value = (uint32_t)result_part.value[0] | ((uint32_t)result_part.value[1] << 8U)
             | ((uint32_t)result_part.value[2] << 16U) | ((uint32_t)result_part.value[3] << 24U);
-        return BESSEMER_STATUS_OK;
     } else {
-        result->is_some = false;
-        result->value = 0U;
-        return BESSEMER_STATUS_OK;
+        *result = (option_u32_t){.is_some = false};
     }
 }
 

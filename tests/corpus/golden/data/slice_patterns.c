@@ -21,8 +21,7 @@ static void slice_patterns_span_of(const float values[], uint64_t values_length,
     option_f32_t *BESSEMER_RESTRICT result)
 {
     if (values_length == UINT64_C(0)) {
-        result->is_some = false;
-        result->value = 0.0F;
+        *result = (option_f32_t){.is_some = false};
     } else if (values_length == UINT64_C(1)) {
         result->is_some = true;
         result->value = 0.0F;

@@ -53,8 +53,7 @@ bessemer_status_t programs_data_slices_peak(const list6_f64_t *values, uint64_t 
         return BESSEMER_STATUS_INDEX;
     }
     if (end <= UINT64_C(0)) {
-        result->is_some = false;
-        result->value = 0.0;
+        *result = (option_f64_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
     double peak = values->items[0];

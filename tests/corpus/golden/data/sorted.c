@@ -38,8 +38,7 @@ void sorted_middle(const list8_u16_t *values, option_u16_t *BESSEMER_RESTRICT re
     list8_u16_t sorted = *values;
     sort_ascending_u16(sorted.items, min_u64(sorted.length, UINT64_C(8)));
     const uint64_t result_index = sorted.length / UINT64_C(2);
-    result->is_some = false;
-    result->value = 0U;
+    *result = (option_u16_t){.is_some = false};
     if (result_index < min_u64(sorted.length, UINT64_C(8))) {
         result->is_some = true;
         result->value = sorted.items[result_index];
@@ -119,8 +118,7 @@ static void sorted_sort_by_in_downwards(float values[], uint64_t values_length)
 
 void sorted_nearest(const double values[5], double guess, option_f64_t *BESSEMER_RESTRICT result)
 {
-    result->is_some = false;
-    result->value = 0.0;
+    *result = (option_f64_t){.is_some = false};
     for (uint32_t i = 0U; i < 5U; i++) {
         if (result->is_some) {
             if (sort_below_f64(fabs(values[i] - guess), fabs(result->value - guess))) {

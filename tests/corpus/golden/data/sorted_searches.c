@@ -56,8 +56,7 @@ bessemer_status_t sorted_searches_value(const list5_sorted_searches_point_t *poi
         at_choice.value = at_outcome.value;
     }
     if (!at_choice.is_some) {
-        result->is_some = false;
-        result->value = 0.0;
+        *result = (option_f64_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
     const uint64_t at = at_choice.value;
@@ -89,9 +88,7 @@ static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_
         const sorted_searches_point_t value = values[middle];
         const uint16_t found = value.code;
         if (found == wanted) {
-            result->is_ok = true;
-            result->value = middle;
-            result->error = UINT64_C(0);
+            *result = (result_usize_usize_t){.is_ok = true, .value = middle};
             return;
         }
         if (found < wanted) {
@@ -101,9 +98,7 @@ static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_
             left /= UINT64_C(2);
         }
     }
-    result->is_ok = false;
-    result->value = UINT64_C(0);
-    result->error = from;
+    *result = (result_usize_usize_t){.is_ok = false, .error = from};
 }
 
 uint64_t sorted_searches_nearest(const float sorted[5], float x)
@@ -141,9 +136,7 @@ static void sorted_searches_binary_search_by_in_nearest(const float values[],
         const float value = values[middle];
         switch (comparison_total_f32(value, x)) {
         case ORDERING_EQUAL:
-            result->is_ok = true;
-            result->value = middle;
-            result->error = UINT64_C(0);
+            *result = (result_usize_usize_t){.is_ok = true, .value = middle};
             return;
         case ORDERING_LESS:
             from = middle + UINT64_C(1);
@@ -155,9 +148,7 @@ static void sorted_searches_binary_search_by_in_nearest(const float values[],
             break;
         }
     }
-    result->is_ok = false;
-    result->value = UINT64_C(0);
-    result->error = from;
+    *result = (result_usize_usize_t){.is_ok = false, .error = from};
 }
 
 /* sorted_searches.h */

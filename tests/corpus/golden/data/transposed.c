@@ -5,18 +5,17 @@
 void transposed_checked(int16_t reading, result_i16_transposed_broken_t *result)
 {
     if (reading <= -1) {
-        result->is_ok = false;
-        result->value = 0;
-        result->error.tag = BROKEN_TAG_BELOW;
-        result->error.below = reading;
+        *result = (result_i16_transposed_broken_t){
+            .is_ok = false,
+            .error = {.tag = BROKEN_TAG_BELOW, .below = reading}
+        };
     } else if (reading <= 999) {
         *result = (result_i16_transposed_broken_t){.is_ok = true, .value = reading};
     } else {
-        static const result_i16_transposed_broken_t checked = {
+        *result = (result_i16_transposed_broken_t){
             .is_ok = false,
             .error = {.tag = BROKEN_TAG_ABOVE}
         };
-        *result = checked;
     }
 }
 
@@ -62,12 +61,10 @@ void transposed_perhaps(const option_i16_t *reading,
         result->value.is_some = true;
         result->value.value = reading_2.value;
     } else {
-        result->value.is_some = false;
-        result->value.value = 0;
+        result->value = (option_i16_t){.is_some = false};
     }
     result->is_ok = true;
-    result->error.tag = BROKEN_TAG_ABOVE;
-    result->error.below = 0;
+    result->error = (transposed_broken_t){.tag = BROKEN_TAG_ABOVE};
 }
 
 void transposed_some(const result_option_i16_transposed_broken_t *reading,
@@ -83,9 +80,7 @@ void transposed_some(const result_option_i16_transposed_broken_t *reading,
         *result = (option_result_i16_transposed_broken_t){.is_some = false};
     } else {
         result->is_some = true;
-        result->value.is_ok = false;
-        result->value.value = 0;
-        result->value.error = reading->error;
+        result->value = (result_i16_transposed_broken_t){.is_ok = false, .error = reading->error};
     }
 }
 

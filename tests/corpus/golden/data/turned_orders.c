@@ -156,8 +156,7 @@ void turned_orders_least(const uint8_t values[4], uint8_t floor_,
         }
     }
     if (!max.is_some) {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u8_t){.is_some = false};
         return;
     }
     const reverse_u8_t reverse_u8_one = {.value = max.value.value};

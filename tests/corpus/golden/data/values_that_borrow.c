@@ -105,8 +105,7 @@ bessemer_status_t values_that_borrow_reader_byte(
         return status;
     }
     if (!byte.is_some) {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u8_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
     if (UINT64_C(0) >= byte.value.length) {
@@ -132,8 +131,7 @@ bessemer_status_t values_that_borrow_reader_word(
         return status;
     }
     if (!option.is_some) {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u16_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
     if (option.value.length == UINT64_C(2)) {
@@ -148,8 +146,7 @@ bessemer_status_t values_that_borrow_reader_word(
             | self_rest[option.value.from + UINT64_C(1)]);
         return BESSEMER_STATUS_OK;
     } else {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u16_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
 }
@@ -182,10 +179,10 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
             *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
-        result_choice.is_ok = true;
-        result_choice.value.tag = VALUES_THAT_BORROW_PACKET_TAG_SET;
-        result_choice.value.as.set = option.value;
-        result_choice.error = 0U;
+        result_choice = (result_values_that_borrow_packet_u8_t){
+            .is_ok = true,
+            .value = {.tag = VALUES_THAT_BORROW_PACKET_TAG_SET, .as.set = option.value}
+        };
         break;
     }
     case 2U: {
@@ -219,11 +216,13 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
             *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
-        result_choice.is_ok = true;
-        result_choice.value.tag = VALUES_THAT_BORROW_PACKET_TAG_LOAD;
-        result_choice.value.as.load.address = address;
-        result_choice.value.as.load.bytes = reader_option.value;
-        result_choice.error = 0U;
+        result_choice = (result_values_that_borrow_packet_u8_t){
+            .is_ok = true,
+            .value = {
+                .tag = VALUES_THAT_BORROW_PACKET_TAG_LOAD,
+                .as.load = {.address = address, .bytes = reader_option.value}
+            }
+        };
         break;
     }
     default: {
@@ -267,11 +266,8 @@ bessemer_status_t values_that_borrow_outcome(const uint8_t packet[8],
             if (option.value.value.as.load.bytes.from + i >= UINT64_C(8)) {
                 return BESSEMER_STATUS_INDEX;
             }
-            const uint32_t sum_packet = (uint32_t)packet[option.value.value.as.load.bytes.from + i];
-            if (u64_from_u32((uint32_t)i + 1U) * (uint64_t)sum_packet > UINT32_MAX) {
-                return BESSEMER_STATUS_OVERFLOW;
-            }
-            const uint32_t sum_product = ((uint32_t)i + 1U) * sum_packet;
+            const uint32_t sum_product = ((uint32_t)i + 1U)
+                * (uint32_t)packet[option.value.value.as.load.bytes.from + i];
             if ((int64_t)sum + (int64_t)sum_product > (int64_t)UINT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
@@ -326,19 +322,15 @@ bessemer_status_t values_that_borrow_outcome_behind(const uint8_t packets[12], u
     }
 }
 
-bessemer_status_t values_that_borrow_halves(const double values[], uint64_t values_length,
+void values_that_borrow_halves(const double values[], uint64_t values_length,
     pair_slice_f64_slice_f64_t *BESSEMER_RESTRICT result)
 {
     (void)values;
     const uint64_t result_middle = values_length / UINT64_C(2);
-    if (result_middle > values_length) {
-        return BESSEMER_STATUS_INDEX;
-    }
     result->first.from = UINT64_C(0);
     result->first.length = result_middle;
     result->second.from = result_middle;
     result->second.length = values_length - result_middle;
-    return BESSEMER_STATUS_OK;
 }
 
 bessemer_status_t values_that_borrow_above(const double values[], uint64_t values_length,
@@ -397,10 +389,7 @@ bessemer_status_t values_that_borrow_seen(const double values[6],
 {
     bessemer_status_t status;
     pair_slice_f64_slice_f64_t pair;
-    status = values_that_borrow_halves(values, UINT64_C(6), &pair);
-    if (status != BESSEMER_STATUS_OK) {
-        return status;
-    }
+    values_that_borrow_halves(values, UINT64_C(6), &pair);
     slice_f64_t longer;
     if (UINT64_C(0) >= pair.second.length) {
         return BESSEMER_STATUS_INDEX;

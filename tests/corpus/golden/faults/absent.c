@@ -31,8 +31,7 @@ bessemer_status_t absent_taken(absent_t *BESSEMER_RESTRICT self, double *BESSEME
         return self->fault;
     }
     const option_f64_t result_before = self->last;
-    self->last.is_some = false;
-    self->last.value = 0.0;
+    self->last = (option_f64_t){.is_some = false};
     if (!result_before.is_some) {
         self->fault = BESSEMER_STATUS_ABSENT;
         return BESSEMER_STATUS_ABSENT;

@@ -32,8 +32,7 @@ void readings_summary(const readings_t *self,
     } else {
         most = (uint32_t)self->valid;
     }
-    result->third.is_some = false;
-    result->third.value = 0.0;
+    result->third = (option_f64_t){.is_some = false};
     for (uint32_t i = 0U; i < most; i++) {
         if (self->values[i] < self->most) {
             const double item = self->values[i] * 2.0;
@@ -47,8 +46,7 @@ void readings_summary(const readings_t *self,
     } else {
         most_2 = (uint32_t)self->valid;
     }
-    result->fourth.is_some = false;
-    result->fourth.value = 0.0;
+    result->fourth = (option_f64_t){.is_some = false};
     for (uint32_t i = 0U; i < most_2; i++) {
         if (self->values[i] < self->most) {
             const double item = self->values[i] * 0.5;
@@ -69,8 +67,7 @@ void readings_largest(const readings_t *self, option_f64_t *BESSEMER_RESTRICT re
     } else {
         most = (uint32_t)self->valid;
     }
-    result->is_some = false;
-    result->value = 0.0;
+    *result = (option_f64_t){.is_some = false};
     for (uint32_t i = 0U; i < most; i++) {
         if (self->values[i] < self->most) {
             if (result->is_some) {
@@ -107,8 +104,7 @@ void readings_before(const readings_t *self, double limit, option_usize_t *BESSE
             }
         }
     }
-    result->is_some = false;
-    result->value = UINT64_C(0);
+    *result = (option_usize_t){.is_some = false};
 }
 
 bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t *more,
@@ -122,9 +118,6 @@ bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t
             }
             if (n == 12U) {
                 break;
-            }
-            if ((int64_t)sum + (int64_t)n > (int64_t)UINT32_MAX) {
-                return BESSEMER_STATUS_OVERFLOW;
             }
             sum += (uint32_t)n;
         }

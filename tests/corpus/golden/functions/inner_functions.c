@@ -61,8 +61,7 @@ bessemer_status_t inner_functions_extra(uint8_t message, option_u8_t *result)
         result->value = EXTRAS[result_choice.value].second;
         return BESSEMER_STATUS_OK;
     } else {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u8_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
 }
@@ -87,9 +86,7 @@ static void inner_functions_binary_search_by_key_in_extra(const pair_u8_u8_t val
         const pair_u8_u8_t value = values[middle];
         const uint8_t found = value.first;
         if (found == wanted) {
-            result->is_ok = true;
-            result->value = middle;
-            result->error = UINT64_C(0);
+            *result = (result_usize_usize_t){.is_ok = true, .value = middle};
             return;
         }
         if (found < wanted) {
@@ -99,9 +96,7 @@ static void inner_functions_binary_search_by_key_in_extra(const pair_u8_u8_t val
             left /= UINT64_C(2);
         }
     }
-    result->is_ok = false;
-    result->value = UINT64_C(0);
-    result->error = from;
+    *result = (result_usize_usize_t){.is_ok = false, .error = from};
 }
 
 /* mixing.c */

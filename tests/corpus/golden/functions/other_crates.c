@@ -41,8 +41,7 @@ bessemer_status_t other_crates_reading_step(other_crates_reading_t *BESSEMER_RES
         return self->fault;
     }
     if (valid) {
-        self->health.tag = HEALTH_TAG_GOOD;
-        self->health.stale = 0U;
+        self->health = (filters_health_t){.tag = HEALTH_TAG_GOOD};
     } else if (self->health.tag == HEALTH_TAG_GOOD) {
         self->health.tag = HEALTH_TAG_STALE;
         self->health.stale = 1U;

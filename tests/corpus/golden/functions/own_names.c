@@ -15,16 +15,12 @@ static void own_names_bank_get_mut(own_names_bank_t *BESSEMER_RESTRICT self, uin
     result_u8_own_names_missing_t *BESSEMER_RESTRICT result)
 {
     if (index >= 4U) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error.index = index;
+        *result = (result_u8_own_names_missing_t){.is_ok = false, .error = {.index = index}};
         return;
     }
     const uint32_t cell = (uint32_t)index;
     self->cells[cell] = (uint8_t)((uint32_t)self->cells[cell] + 1U);
-    result->is_ok = true;
-    result->value = self->cells[cell];
-    result->error.index = 0U;
+    *result = (result_u8_own_names_missing_t){.is_ok = true, .value = self->cells[cell]};
 }
 
 static void own_names_bank_first_mut(const own_names_bank_t *self,
@@ -36,8 +32,7 @@ static void own_names_bank_first_mut(const own_names_bank_t *self,
         result->is_some = true;
         result->value = value;
     } else {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u8_t){.is_some = false};
     }
 }
 
@@ -68,9 +63,7 @@ void own_names_use_all(own_names_bank_t *BESSEMER_RESTRICT bank, uint8_t index,
     result_u8_own_names_missing_t cell_outcome;
     own_names_bank_get_mut(bank, index, &cell_outcome);
     if (!cell_outcome.is_ok) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error = cell_outcome.error;
+        *result = (result_u8_own_names_missing_t){.is_ok = false, .error = cell_outcome.error};
         return;
     }
     const uint8_t cell = cell_outcome.value;
@@ -81,9 +74,7 @@ void own_names_use_all(own_names_bank_t *BESSEMER_RESTRICT bank, uint8_t index,
     if (own_names_bank_total_cmp(bank, &other)) {
         sum = (uint8_t)((uint32_t)sum + (uint32_t)own_names_bank_chunks(bank, 5U));
     }
-    result->is_ok = true;
-    result->value = sum;
-    result->error.index = 0U;
+    *result = (result_u8_own_names_missing_t){.is_ok = true, .value = sum};
 }
 
 void own_names_much(const own_names_bank_t *bank, option_u8_t *BESSEMER_RESTRICT result)
@@ -91,8 +82,7 @@ void own_names_much(const own_names_bank_t *bank, option_u8_t *BESSEMER_RESTRICT
     option_u8_t first_option;
     own_names_bank_first_mut(bank, &first_option);
     if (!first_option.is_some) {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u8_t){.is_some = false};
         return;
     }
     const uint8_t first = first_option.value;

@@ -77,24 +77,28 @@ void own_operators_phase_try_from_u8(uint8_t letter, result_own_operators_phase_
 {
     switch (letter) {
     case 65U:
-        result->is_ok = true;
-        result->value = OWN_OPERATORS_PHASE_A;
-        result->error.value = 0U;
+        *result = (result_own_operators_phase_unknown_t){
+            .is_ok = true,
+            .value = OWN_OPERATORS_PHASE_A
+        };
         break;
     case 66U:
-        result->is_ok = true;
-        result->value = OWN_OPERATORS_PHASE_B;
-        result->error.value = 0U;
+        *result = (result_own_operators_phase_unknown_t){
+            .is_ok = true,
+            .value = OWN_OPERATORS_PHASE_B
+        };
         break;
     case 67U:
-        result->is_ok = true;
-        result->value = OWN_OPERATORS_PHASE_C;
-        result->error.value = 0U;
+        *result = (result_own_operators_phase_unknown_t){
+            .is_ok = true,
+            .value = OWN_OPERATORS_PHASE_C
+        };
         break;
     default:
-        result->is_ok = false;
-        result->value = OWN_OPERATORS_PHASE_A;
-        result->error.value = letter;
+        *result = (result_own_operators_phase_unknown_t){
+            .is_ok = false,
+            .error = {.value = letter}
+        };
         break;
     }
 }
@@ -146,15 +150,14 @@ void own_operators_phase_of(uint8_t letter, result_own_operators_phase_unknown_t
     result_own_operators_phase_unknown_t phase_outcome;
     own_operators_phase_try_from_u8(letter, &phase_outcome);
     if (!phase_outcome.is_ok) {
-        result->is_ok = false;
-        result->value = OWN_OPERATORS_PHASE_A;
-        result->error = phase_outcome.error;
+        *result = (result_own_operators_phase_unknown_t){
+            .is_ok = false,
+            .error = phase_outcome.error
+        };
         return;
     }
     const own_operators_phase_t phase = phase_outcome.value;
-    result->is_ok = true;
-    result->value = phase;
-    result->error.value = 0U;
+    *result = (result_own_operators_phase_unknown_t){.is_ok = true, .value = phase};
 }
 
 double own_operators_widened(int32_t x, uint8_t y)

@@ -45,8 +45,7 @@ float motor_torque(float current, float constant)
 void placement_efficiency(float current, float constant, float resistance, option_f32_t *result)
 {
     if (current == 0.0F) {
-        result->is_some = false;
-        result->value = 0.0F;
+        *result = (option_f32_t){.is_some = false};
         return;
     }
     result->is_some = true;

@@ -65,8 +65,7 @@ uint32_t references_to_values_exclusive(uint32_t x)
         optional.value = (optional.value << 2U) | (optional.value >> 30U);
     }
     const option_u32_t taken_before = optional;
-    optional.is_some = false;
-    optional.value = 0U;
+    optional = (option_u32_t){.is_some = false};
     uint32_t taken = 0U;
     if (taken_before.is_some) {
         taken = taken_before.value;

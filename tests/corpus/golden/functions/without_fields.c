@@ -47,8 +47,7 @@ without_fields_trouble_t without_fields_trouble_from_saturated(void)
 void without_fields_commanded(double torque, result_f64_without_fields_saturated_t *result)
 {
     if (torque > 2.0) {
-        result->is_ok = false;
-        result->value = 0.0;
+        *result = (result_f64_without_fields_saturated_t){.is_ok = false};
     } else {
         result->is_ok = true;
         result->value = torque;
@@ -60,20 +59,20 @@ void without_fields_limited(double torque, result_f64_without_fields_trouble_t *
     result_f64_without_fields_saturated_t torque_outcome;
     without_fields_commanded(torque, &torque_outcome);
     if (!torque_outcome.is_ok) {
-        result->is_ok = false;
-        result->value = 0.0;
-        result->error = without_fields_trouble_from_saturated();
+        *result = (result_f64_without_fields_trouble_t){
+            .is_ok = false,
+            .error = without_fields_trouble_from_saturated()
+        };
         return;
     }
     const double torque_2 = torque_outcome.value;
     if (torque_2 < -2.0) {
-        result->is_ok = false;
-        result->value = 0.0;
-        result->error = WITHOUT_FIELDS_TROUBLE_LOW;
+        *result = (result_f64_without_fields_trouble_t){
+            .is_ok = false,
+            .error = WITHOUT_FIELDS_TROUBLE_LOW
+        };
     } else {
-        result->is_ok = true;
-        result->value = torque_2;
-        result->error = WITHOUT_FIELDS_TROUBLE_HIGH;
+        *result = (result_f64_without_fields_trouble_t){.is_ok = true, .value = torque_2};
     }
 }
 

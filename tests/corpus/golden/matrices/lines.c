@@ -65,8 +65,7 @@ void lines_read(const double m[12], const double w[4],
         result->fourth.is_some = true;
         result->fourth.value = find.value.first;
     } else {
-        result->fourth.is_some = false;
-        result->fourth.value = UINT64_C(0);
+        result->fourth = (option_usize_t){.is_some = false};
     }
     result->first = far_;
     result->second = zipped;
@@ -142,11 +141,9 @@ void lines_extremes(const float m[12], pair_option_usize_option_f32_t *BESSEMER_
         result->first.is_some = true;
         result->first.value = found.value.first;
     } else {
-        result->first.is_some = false;
-        result->first.value = UINT64_C(0);
+        result->first = (option_usize_t){.is_some = false};
     }
-    result->second.is_some = false;
-    result->second.value = 0.0F;
+    result->second = (option_f32_t){.is_some = false};
     for (uint32_t row = 0U; row < 3U; row++) {
         const float row_2[4] = {
             m[row + 3U * 0U], m[row + 3U * 1U], m[row + 3U * 2U], m[row + 3U * 3U]
@@ -202,12 +199,10 @@ void lines_other_names(double a[BESSEMER_RESTRICT 16], const double b[4],
             third_choice.is_some = true;
             third_choice.value = third_option.value;
         } else {
-            third_choice.is_some = false;
-            third_choice.value = 0.0;
+            third_choice = (option_f64_t){.is_some = false};
         }
         if (!third_choice.is_some) {
-            result->is_some = false;
-            result->value = 0.0;
+            *result = (option_f64_t){.is_some = false};
             return;
         }
         a[2 + 4 * 0] = third_choice.value;

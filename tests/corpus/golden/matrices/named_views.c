@@ -91,12 +91,10 @@ bessemer_status_t named_views_up_to(double m[BESSEMER_RESTRICT 16], uint64_t col
         first_choice.is_some = true;
         first_choice.value = first_option.value;
     } else {
-        first_choice.is_some = false;
-        first_choice.value = 0.0;
+        first_choice = (option_f64_t){.is_some = false};
     }
     if (!first_choice.is_some) {
-        result->is_some = false;
-        result->value = 0.0;
+        *result = (option_f64_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
     const double first = first_choice.value;

@@ -25,8 +25,7 @@ bessemer_status_t letters_digit(uint8_t byte, option_u8_t *result)
         result->value = (uint8_t)((uint8_t)(result_to_uppercase - 65U) + 10U);
         return BESSEMER_STATUS_OK;
     } else {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u8_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
 }

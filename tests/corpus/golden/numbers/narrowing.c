@@ -31,8 +31,7 @@ void narrowing_steps(int64_t x, option_i16_t *result)
         result_narrowed.is_ok = true;
         result_narrowed.value = wrap_i16((uint16_t)x);
     }
-    result->is_some = false;
-    result->value = 0;
+    *result = (option_i16_t){.is_some = false};
     if (result_narrowed.is_ok) {
         result->is_some = true;
         result->value = result_narrowed.value;
@@ -47,16 +46,14 @@ void narrowing_index(int8_t x, option_usize_t *result)
         index.value = (uint64_t)x;
     }
     if (!index.is_ok) {
-        result->is_some = false;
-        result->value = UINT64_C(0);
+        *result = (option_usize_t){.is_some = false};
         return;
     }
     if (index.value < UINT64_C(12)) {
         result->is_some = true;
         result->value = index.value;
     } else {
-        result->is_some = false;
-        result->value = UINT64_C(0);
+        *result = (option_usize_t){.is_some = false};
     }
 }
 

@@ -9,8 +9,7 @@ bessemer_status_t not_zero_share(uint32_t counts, uint32_t of, option_u32_t *res
     option_non_zero_u32_t of_option;
     non_zero_new_u32(of, &of_option);
     if (!of_option.is_some) {
-        result->is_some = false;
-        result->value = 0U;
+        *result = (option_u32_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
     const non_zero_u32_t of_2 = of_option.value;

@@ -140,7 +140,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Returns a compound literal for a value most of whose fields are empty: `(option_pair_t){.is_some = false}`. C
+    /// Returns a compound literal for a value some of whose fields are empty: `(option_pair_t){.is_some = false}`. C
     /// sets omitted fields to zero, as in Rust and in the interpreter, and callers may read them. Not in a header,
     /// since C++ has no such expression.
     fn brief(&mut self, value: &Ir) -> Option<(String, Init)> {
@@ -150,8 +150,7 @@ impl Lower<'_> {
         let module = self.context.module;
         let (nothing, held): (Vec<_>, Vec<_>) =
             items.iter().enumerate().partition(|(index, _)| self.is_nothing(*id, *index, items));
-        let spared: usize = nothing.iter().map(|(_, item)| lines(item)).sum();
-        let wanted = spared > 1
+        let wanted = !nothing.is_empty()
             && !module.structs[id.index()].overlaid()
             && module.width(&value.ty) <= BRIEF
             && held.iter().all(|(_, item)| self.initialisable(item))
@@ -460,17 +459,6 @@ impl Lower<'_> {
         let name = self.fresh(name);
         self.declare(&value.ty, &name, Some(Init::Value(lowered)), true);
         Expr::name(name)
-    }
-}
-
-/// Returns the number of lines that an assignment part by part needs.
-fn lines(value: &Ir) -> usize {
-    match &value.kind {
-        ExprKind::Struct(items) | ExprKind::Array(items) | ExprKind::Matrix(items) => {
-            items.iter().map(lines).sum()
-        }
-        ExprKind::Splat(item) => lines(item) * length(&value.ty).min(LINES) as usize,
-        _ => 1,
     }
 }
 

@@ -29,13 +29,18 @@ impl<'m> State<'m> {
         }
     }
 
+    /// Returns true if `condition` certainly has this truth, by intervals.
+    fn is(&self, condition: &Expr, truth: bool) -> bool {
+        self.range(condition) == Interval::one(i128::from(truth))
+    }
+
     fn holds(&self, condition: &Expr) -> bool {
         Rule::Relation.told(self.relations.give(condition, |it| self.fails(it)))
     }
 
     /// Returns true if `condition` certainly does not hold.
     fn fails(&self, condition: &Expr) -> bool {
-        self.range(condition) == Interval::one(0)
+        self.is(condition, false)
     }
 
     /// Returns the state in which `condition` has the value `truth`.
@@ -52,7 +57,13 @@ impl<'m> State<'m> {
             ExprKind::Logic(op, a, b) if (*op == LogicOp::And) == truth => {
                 self.assume(a, truth);
                 self.assume(b, truth);
+                // What `b` shows may decide an alternative of `a`.
+                if matches!(a.kind, ExprKind::Logic(..)) {
+                    self.assume(a, truth);
+                }
             }
+            ExprKind::Logic(_, a, b) if self.is(a, !truth) => self.assume(b, truth),
+            ExprKind::Logic(_, a, b) if self.is(b, !truth) => self.assume(a, truth),
             ExprKind::Compare(op, a, b) => self.assume_compare(*op, a, b, truth),
             ExprKind::Load(_) => self.bound(condition, Interval::one(i128::from(truth))),
             _ if truth => self.relations.learn(condition),
@@ -160,18 +171,14 @@ impl<'m> State<'m> {
                 }
             }
             ExprKind::Binary(BinaryOp::Add, a, b) => {
-                if let Some(b) = self.range(b).single() {
-                    Rule::Term.used();
-                    self.bound(a, interval.sub(Interval::one(b)));
-                } else if let Some(a) = self.range(a).single() {
-                    self.bound(b, interval.sub(Interval::one(a)));
-                }
+                Rule::Term.used();
+                self.bound(a, interval.sub(self.range(b)));
+                self.bound(b, interval.sub(self.range(a)));
             }
             ExprKind::Binary(BinaryOp::Sub, a, b) => {
-                if let Some(b) = self.range(b).single() {
-                    Rule::Term.used();
-                    self.bound(a, interval.add(Interval::one(b)));
-                }
+                Rule::Term.used();
+                self.bound(a, interval.add(self.range(b)));
+                self.bound(b, self.range(a).sub(interval));
             }
             _ => {}
         }

@@ -6,18 +6,23 @@
 
 use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LocalId, Place, Type};
 
+use super::domain::Interval;
 use super::state::State;
+use crate::passes::places::erased;
 use bessemer_ir::effects::{mentions, same_place};
 use bessemer_ir::used::Rule;
 
 /// Largest number of steps in one argument.
 const DEPTH: u32 = 6;
+/// Largest number of steps to the order of two ends.
+const ENDS: u32 = 2;
 
 impl State<'_> {
     /// Records what a local has just been set to.
     pub(crate) fn define(&mut self, local: LocalId, value: &Expr) {
         let defines = match &value.kind {
             ExprKind::Load(_) => true,
+            ExprKind::Binary(..) if between(value)[0].is_some() => true,
             ExprKind::Binary(op @ (BinaryOp::Add | BinaryOp::Sub | BinaryOp::Div), a, b) => {
                 let is_place = |it: &Expr| matches!(it.kind, ExprKind::Load(_));
                 is_place(a) && (b.is_literal() || *op == BinaryOp::Sub && is_place(b))
@@ -98,6 +103,9 @@ impl State<'_> {
         let of_a = match &a.kind {
             ExprKind::Binary(BinaryOp::Add, x, by) => match number(by) {
                 Some(by) => self.at_most(x, b, more.saturating_sub(by), depth),
+                None if let Some(of) = number(x) => {
+                    self.at_most(by, b, more.saturating_sub(of), depth)
+                }
                 None => {
                     self.sum_at_most((x, by), b, more, depth)
                         || self.sum_at_most((by, x), b, more, depth)
@@ -118,9 +126,11 @@ impl State<'_> {
             }
             _ => false,
         };
+        let halved = || between(a).into_iter().flatten();
+        let of_a = of_a || halved().any(|ends| self.between_at_most(ends, b, more, depth));
         let of_b = || match &b.kind {
             ExprKind::Binary(BinaryOp::Add, y, by) => {
-                number(by).is_some_and(|by| self.at_most(a, y, more.saturating_add(by), depth))
+                self.at_most(a, y, more.saturating_add(self.range(by).low), depth)
             }
             ExprKind::Binary(BinaryOp::Sub, y, by) => match number(by) {
                 Some(by) => self.at_most(a, y, more.saturating_sub(by), depth),
@@ -133,9 +143,32 @@ impl State<'_> {
                 all.iter().all(|y| self.at_most(a, y, more, depth))
             }
             _ => self.relations.definition(b).is_some_and(|b| self.at_most(a, b, more, depth)),
-        };
+        } || between(b).into_iter().flatten().any(|(x, y)| {
+            self.at_most(x, y, 0, depth) && self.at_most(a, x, more, depth)
+        });
         let above = |(c, less): (&Expr, i128)| self.at_most(c, b, more.saturating_add(less), depth);
         of_a || of_b() || self.relations.above(a).any(above)
+    }
+
+    /// Returns true if a number between `x` and `y`, and below `y` if `x` is, is at most `b + more`.
+    fn between_at_most(&self, (x, y): (&Expr, &Expr), b: &Expr, more: i128, depth: u32) -> bool {
+        self.at_most(x, y, -1, depth) && self.at_most(y, b, more.saturating_add(1), depth)
+            || self.at_most(x, y, 0, depth) && self.at_most(y, b, more, depth)
+    }
+
+    /// Returns the interval of a number between two others, if an expression is such.
+    pub(crate) fn halved(&self, expr: &Expr) -> Option<Interval> {
+        if self.blind {
+            return None;
+        }
+        let narrowed = |(x, y): (&Expr, &Expr)| {
+            let (low, high) = (self.range(x), self.range(y));
+            match self.at_most(&erased(x), &erased(y), -1, ENDS) {
+                true => Interval::new(low.low, high.high.saturating_sub(1).max(low.low)),
+                false => low.join(high),
+            }
+        };
+        between(expr).into_iter().flatten().map(narrowed).reduce(Interval::meet)
     }
 
     /// Returns true if `x + y <= b + more`, where `y` is at most a difference `z - x`. The sum itself may be beyond its
@@ -173,5 +206,38 @@ impl State<'_> {
             }
         };
         beyond(a, right).or_else(|| beyond(b, left).map(|by| -by))
+    }
+}
+
+/// Returns the ends between which half of a difference or of a sum of natural numbers is.
+///
+/// They are those of `x + (y - x) / 2`, the lower first, and of `(x + y) / 2` in either order. The number is below the
+/// higher if they are not equal.
+fn between(expr: &Expr) -> [Option<(&Expr, &Expr)>; 2] {
+    if expr.ty.as_int().is_none_or(|int| int.signed()) {
+        return [None, None];
+    }
+    let same = |a: &Expr, b: &Expr| match (&a.kind, &b.kind) {
+        (ExprKind::Load(a), ExprKind::Load(b)) => same_place(a, b),
+        _ => false,
+    };
+    let is_place = |it: &Expr| matches!(it.kind, ExprKind::Load(_));
+    let halved = |it: &Expr| match &it.kind {
+        ExprKind::Binary(BinaryOp::Div, _, by) => by.kind == ExprKind::Literal(2),
+        ExprKind::Binary(BinaryOp::Shr, _, by) => by.kind == ExprKind::Literal(1),
+        _ => false,
+    };
+    match &expr.kind {
+        ExprKind::Binary(BinaryOp::Add, x, part) if halved(part) => {
+            let ExprKind::Binary(_, rest, _) = &part.kind else { return [None, None] };
+            let ExprKind::Binary(BinaryOp::Sub, y, from) = &rest.kind else { return [None, None] };
+            [same(x, from).then_some((&**x, &**y)), None]
+        }
+        ExprKind::Binary(_, sum, _) if halved(expr) => {
+            let ExprKind::Binary(BinaryOp::Add, x, y) = &sum.kind else { return [None, None] };
+            let places = is_place(x) && is_place(y);
+            [places.then_some((&**x, &**y)), places.then_some((&**y, &**x))]
+        }
+        _ => [None, None],
     }
 }

@@ -44,7 +44,10 @@ impl State<'_> {
             {
                 all.meet(Interval::one(difference))
             }
-            ExprKind::Binary(op, a, b) => self.range(a).binary(*op, self.range(b), all),
+            ExprKind::Binary(op, a, b) => {
+                let found = self.range(a).binary(*op, self.range(b), all);
+                self.halved(expr).map_or(found, |halved| found.meet(halved))
+            }
             ExprKind::Cast(x) if let (Some(_), Some(to)) = (x.ty.as_float(), expr.ty.as_int()) => {
                 self.converted(x, to)
             }

@@ -44,8 +44,8 @@ impl Loop<'_> {
         found.into_iter().map(known).collect()
     }
 
-    /// Returns intervals that every pass keeps which begins within all of them: the initial ones, without the bounds
-    /// that a pass moves.
+    /// Returns intervals that every pass keeps which begins within all of them. They are the initial ones without the
+    /// bounds that a pass moves, narrowed to the values that such passes assign.
     fn kept(&self, before: &State, words: Vec<(Key, Interval)>) -> Vec<(Key, Interval)> {
         let mut assumed = words.clone();
         loop {
@@ -63,7 +63,9 @@ impl Loop<'_> {
                 interval.high = if high { i128::MAX } else { interval.high };
             }
             if !moved {
-                return assumed;
+                // A pass begins with the initial value, or with what one that began within all of them assigned.
+                let kept = |(key, _): &(Key, Interval)| assumed.iter().any(|(it, _)| it == key);
+                return found.into_iter().filter(kept).collect();
             }
         }
     }

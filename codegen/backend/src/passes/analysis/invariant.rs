@@ -18,6 +18,8 @@ impl Loop<'_> {
         if let ExprKind::Load(place) = &self.counter.kind {
             before.forget(&[whole(place.root)]);
         }
+        let orders = before.before(self.written, self.body);
+        orders.iter().for_each(|order| before.relations.learn(order));
         let next = |head: &State<'m>| {
             let mut next = before.clone();
             if let Some(again) = again(self.body, head.clone()) {

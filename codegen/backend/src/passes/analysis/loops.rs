@@ -4,19 +4,20 @@
 //!
 //! * Nothing is known about places that the body writes, except:
 //! * **A counter** (`for`): its bounds do not change during the loop, and in the body it lies between them.
-//! * **A local that is only counted**: every write in the body adds to it, or subtracts. Each pass moves it at most by
+//! * **A word that is only counted**, a local or a field: every write in the body adds to it, or subtracts. Each pass moves it at most by
 //!   the sum along one path, where an inner loop counts with its number of passes; so at the head of pass `k` it has
 //!   moved at most `k` times that.
 //! * **A word with assigned values only**: [`given`](super::given).
+//! * **An order of two numbers** that each pass preserves: [`orders`](super::orders).
 //! * **A loop that its body ends** has no counter, and its bounds change: an [`invariant`](super::invariant) is
 //!   computed instead. Behind it holds what each `break` leaves.
 
-use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, Stmt, StmtKind};
+use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, Intrinsic, Place, Stmt, StmtKind};
 
 use super::domain::Interval;
 use super::known::Known;
-use super::state::{Key, State};
-use bessemer_ir::effects::{lent, overlap, whole, writes};
+use super::state::{Key, State, key};
+use bessemer_ir::effects::{lent, overlap, same_place, whole, writes};
 use bessemer_ir::used::Rule;
 
 /// A `for` loop before its first pass.
@@ -33,19 +34,25 @@ pub(crate) struct Loop<'a> {
     pub(crate) body: &'a Block,
 }
 
-/// A local that is only counted, with its value before the loop.
+/// A word that is only counted, with its value before the loop.
 pub(super) struct Counted {
-    local: Expr,
+    /// The local, or a field of one.
+    word: Expr,
     before: Interval,
     /// Sums that a pass adds, along any part of a path.
     more: Interval,
+    /// The numbers of its type. A sum beyond them may wrap around.
+    all: Interval,
 }
 
 impl Counted {
     /// Records its bounds after this number of passes.
     fn bound(&self, passes: i128, state: &mut State) {
-        Rule::Counted.used();
-        state.bound(&self.local, self.before.add(times(self.more, passes)));
+        let sums = self.before.add(times(self.more, passes));
+        if sums.within(self.all) {
+            Rule::Counted.used();
+            state.bound(&self.word, sums);
+        }
     }
 }
 
@@ -64,20 +71,22 @@ impl Loop<'_> {
         let ranges = (state.range(self.from), state.range(self.to));
         let counted = self.counted(state);
         let given = self.given(state);
-        let behind = self.beyond(state, &counted, &given);
+        let before = state.clone();
         self.head(state);
-        state.known.extend(given);
-        for local in counted {
+        state.known.extend(given.iter().cloned());
+        for local in &counted {
             local.bound((passes(ranges, self.inclusive) - 1).max(0), state);
         }
-        behind
+        let orders = self.orders(&before, state);
+        orders.head.iter().for_each(|order| state.relations.learn(order));
+        self.beyond(&before, &counted, &given, &orders.behind)
     }
 
     /// Returns the state after the loop.
     pub(super) fn behind<'m>(&self, before: &State<'m>) -> State<'m> {
         match self.ended {
-            true => self.beyond(before, &[], &[]),
-            false => self.beyond(before, &self.counted(before), &self.given(before)),
+            true => self.beyond(before, &[], &[], &[]),
+            false => self.enter(&mut before.clone()),
         }
     }
 
@@ -86,12 +95,14 @@ impl Loop<'_> {
         before: &State<'m>,
         counted: &[Counted],
         given: &[(Key, Known)],
+        orders: &[Expr],
     ) -> State<'m> {
         let most = passes((before.range(self.from), before.range(self.to)), self.inclusive);
         let mut behind = before.clone();
         self.forget(&mut behind);
         behind.known.extend(given.iter().cloned());
         counted.iter().for_each(|local| local.bound(most, &mut behind));
+        orders.iter().for_each(|order| behind.relations.learn(order));
         behind
     }
 
@@ -121,13 +132,17 @@ impl Loop<'_> {
         self.forget(&mut head);
         let counted = |place: &Place| {
             place.ty.as_int()?;
-            let local = Expr::local(place.root, &place.ty, place.span);
-            let range = before.range(&local);
-            if !place.steps.is_empty() || before.all(&local.ty) == Some(range) {
+            let word = Expr {
+                kind: ExprKind::Load(place.clone()),
+                ty: place.ty.clone(),
+                span: place.span,
+            };
+            let (range, all) = (before.range(&word), before.all(&word.ty)?);
+            if key(place).is_none() || all == range {
                 return None;
             }
-            let more = increase(&self.body.0, place.root, &head)?;
-            Some(Counted { local, before: range, more })
+            let more = increase(&self.body.0, place, &head)?;
+            Some(Counted { word, before: range, more, all })
         };
         self.written.iter().filter_map(counted).collect()
     }
@@ -138,19 +153,21 @@ fn passes((from, to): (Interval, Interval), inclusive: bool) -> i128 {
     to.high.saturating_sub(from.low).saturating_add(i128::from(inclusive)).max(0)
 }
 
-/// Returns the sums that parts of a path through statements add to a local; no part adds 0. There are none if the
+/// Returns the sums that parts of a path through statements add to a word; no part adds 0. There are none if the
 /// statements write it otherwise.
-fn increase(stmts: &[Stmt], local: LocalId, state: &State) -> Option<Interval> {
-    let of_block = |block: &Block| increase(&block.0, local, state);
+fn increase(stmts: &[Stmt], word: &Place, state: &State) -> Option<Interval> {
+    let of_block = |block: &Block| increase(&block.0, word, state);
     let nothing = Interval::one(0);
     let mut sum = nothing;
     for stmt in stmts {
         let added = match &stmt.kind {
-            StmtKind::Assign { place, value } if place.root == local => added(place, value, state)?,
-            StmtKind::If { condition, then, otherwise } if is_left(condition, local) => {
+            StmtKind::Assign { place, value } if same_place(place, word) => {
+                added(place, value, state)?
+            }
+            StmtKind::If { condition, then, otherwise } if is_left(condition, word) => {
                 of_block(then)?.join(of_block(otherwise)?)
             }
-            StmtKind::Match { scrutinee, arms, otherwise } if is_left(scrutinee, local) => {
+            StmtKind::Match { scrutinee, arms, otherwise } if is_left(scrutinee, word) => {
                 let mut all = otherwise.as_ref().map_or(Some(nothing), of_block)?;
                 for arm in arms {
                     all = all.join(of_block(&arm.body)?);
@@ -158,12 +175,12 @@ fn increase(stmts: &[Stmt], local: LocalId, state: &State) -> Option<Interval> {
                 all
             }
             StmtKind::For { from, to, inclusive, ended: false, body, .. }
-                if is_left(from, local) && is_left(to, local) =>
+                if is_left(from, word) && is_left(to, word) =>
             {
                 let passes = passes((state.range(from), state.range(to)), *inclusive);
                 times(of_block(body)?, passes)
             }
-            _ if writes([stmt]).iter().any(|place| overlap(place, &whole(local))) => return None,
+            _ if writes([stmt]).iter().any(|place| overlap(place, word)) => return None,
             _ => nothing,
         };
         sum = sum.add(added.join(nothing));
@@ -171,9 +188,9 @@ fn increase(stmts: &[Stmt], local: LocalId, state: &State) -> Option<Interval> {
     Some(sum)
 }
 
-/// Returns true if the calls in an expression do not write a local.
-fn is_left(expr: &Expr, local: LocalId) -> bool {
-    !lent(expr).iter().any(|place| place.root == local)
+/// Returns true if the calls in an expression do not write a word.
+fn is_left(expr: &Expr, word: &Place) -> bool {
+    !lent(expr).iter().any(|place| overlap(place, word))
 }
 
 /// Returns the sums of up to this number of passes, each with a sum in the interval.
@@ -182,18 +199,20 @@ fn times(sum: Interval, passes: i128) -> Interval {
     Interval::new(end(sum.low.min(0)), end(sum.high.max(0)))
 }
 
-/// Returns the numbers that `local = local + number` adds or `local = local - number` subtracts, in a state that holds
+/// Returns the numbers that `word = word + number` adds or `word = word - number` subtracts, in a state that holds
 /// throughout the loop.
 fn added(place: &Place, value: &Expr, state: &State) -> Option<Interval> {
-    let ExprKind::Binary(op, a, b) = &value.kind else { return None };
+    let (adds, a, b) = match &value.kind {
+        ExprKind::Binary(BinaryOp::Add, a, b) => (true, &**a, &**b),
+        ExprKind::Binary(BinaryOp::Sub, a, b) => (false, &**a, &**b),
+        ExprKind::Intrinsic(Intrinsic::WrappingAdd, of) => (true, of.first()?, of.get(1)?),
+        ExprKind::Intrinsic(Intrinsic::WrappingSub, of) => (false, of.first()?, of.get(1)?),
+        _ => return None,
+    };
     let ExprKind::Load(from) = &a.kind else { return None };
-    let same = place.steps.is_empty() && from.steps.is_empty() && from.root == place.root;
-    if !same || b.ty.as_int().is_none() || !is_left(b, place.root) {
+    if !same_place(from, place) || b.ty.as_int().is_none() || !is_left(b, place) {
         return None;
     }
-    match op {
-        BinaryOp::Add => Some(state.range(b)),
-        BinaryOp::Sub => Some(Interval::one(0).sub(state.range(b))),
-        _ => None,
-    }
+    let by = state.range(b);
+    Some(if adds { by } else { Interval::one(0).sub(by) })
 }

@@ -16,6 +16,7 @@
 //! * [`assume`]: a condition narrows the state only where it holds (in a branch, after a check);
 //! * [`State::join`]: the result includes both operands' states;
 //! * [`loops`]: facts at the head of a loop hold before its first pass, and after each pass that begins with them;
+//! * [`orders`]: orders of two numbers that a write, a join or a pass of a loop preserves;
 //! * [`walk`]: the same rules along statements, to look ahead at a loop's body.
 //!
 //! Enums and `bool`s may come from outside, where they can be any byte. So an enum of `n` variants has `n + 1` values
@@ -34,6 +35,7 @@ mod glance;
 mod invariant;
 mod known;
 mod loops;
+mod orders;
 mod relations;
 mod results;
 mod state;

@@ -8,7 +8,7 @@ use std::collections::HashSet;
 use std::rc::Rc;
 
 use bessemer_ir::visit::Walk as _;
-use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, LogicOp, Place};
+use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, LocalId, LogicOp, Place};
 
 use super::glance::{Glance, bit};
 use crate::passes::places::erased;
@@ -79,7 +79,21 @@ impl Relations {
         alike.any(|it| gives(&it.condition, &condition, &fails))
     }
 
-    /// Returns each number that is known to be at least `number`; or, with 1, at least one more.
+    /// Returns the orders of a local with other numbers.
+    pub(super) fn orders_of(&self, local: LocalId) -> impl Iterator<Item = Expr> {
+        let about = self.0.iter().filter(move |it| it.glance.roots & bit(local) != 0);
+        about.rev().flat_map(|it| orders(&it.condition))
+    }
+
+    /// Returns the orders of which `other` has not learned the condition, the latest first.
+    pub(super) fn orders_beyond(&self, other: &Relations) -> impl Iterator<Item = Expr> {
+        let shared: HashSet<*const Expr> =
+            other.0.iter().map(|it| Rc::as_ptr(&it.condition)).collect();
+        let beyond = move |it: &&Relation| !shared.contains(&Rc::as_ptr(&it.condition));
+        self.0.iter().rev().filter(beyond).flat_map(|it| orders(&it.condition))
+    }
+
+    /// Returns each number that is known to be at least `number`, or more by the second.
     pub(super) fn above(&self, number: &Expr) -> impl Iterator<Item = (&Expr, i128)> {
         let mut roots = 0;
         number.each_place(|place, _| roots |= bit(place.root));
@@ -88,6 +102,9 @@ impl Relations {
             ExprKind::Compare(CompareOp::Lt, a, b) if **a == *number => Some((&**b, 1)),
             ExprKind::Compare(CompareOp::Le | CompareOp::Eq, a, b) if **a == *number => {
                 Some((&**b, 0))
+            }
+            ExprKind::Compare(op @ (CompareOp::Lt | CompareOp::Le), a, b) => {
+                Some((&**b, more_than(a, number)? + i128::from(*op == CompareOp::Lt)))
             }
             ExprKind::Compare(CompareOp::Eq, a, b) if **b == *number => Some((&**a, 0)),
             _ => None,
@@ -122,6 +139,29 @@ fn implies(fact: &Expr, condition: &Expr) -> bool {
         CompareOp::Le => same && matches!(known, CompareOp::Lt | CompareOp::Le),
         CompareOp::Ne => (same || turned) && matches!(known, CompareOp::Lt | CompareOp::Ne),
         _ => same && known == op,
+    }
+}
+
+/// Returns the literal that a sum adds to a number, and did not overflow.
+fn more_than(sum: &Expr, number: &Expr) -> Option<i128> {
+    let ExprKind::Binary(BinaryOp::Add, a, b) = &sum.kind else { return None };
+    let ExprKind::Literal(word) = b.kind else { return None };
+    sum.ty.as_int().filter(|_| **a == *number).map(|int| int.from_word(word))
+}
+
+/// Returns the orders of two places, or of a place and a computed number, that a condition implies. What a literal
+/// bounds is known as an interval.
+fn orders(condition: &Expr) -> Vec<Expr> {
+    let ExprKind::Compare(op, a, b) = &condition.kind else { return Vec::new() };
+    if a.ty.as_int().is_none() || a.is_literal() || b.is_literal() {
+        return Vec::new();
+    }
+    let at_most = |a: &Expr, b: &Expr| Expr::compare(CompareOp::Le, a.clone(), b.clone());
+    match op {
+        CompareOp::Lt => vec![condition.clone(), at_most(a, b)],
+        CompareOp::Le => vec![condition.clone()],
+        CompareOp::Eq => vec![at_most(a, b), at_most(b, a)],
+        _ => Vec::new(),
     }
 }
 

@@ -145,11 +145,13 @@ impl<'m> State<'m> {
 
     /// Keeps the facts that hold here and in `other`.
     pub(crate) fn join(&mut self, other: &State<'m>) {
+        let orders = self.common(other);
         self.known.retain(|key, known| {
             let both = other.known.get(key).and_then(|other| known.or(*other));
             both.inspect(|both| *known = *both).is_some()
         });
         self.relations.join(&other.relations);
+        orders.iter().for_each(|order| self.relations.learn(order));
     }
 
     /// Continues after branches, with the join of those that reach their end.

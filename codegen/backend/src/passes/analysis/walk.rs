@@ -27,6 +27,13 @@ pub(super) fn left<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
     joined(walk.broken)
 }
 
+/// Returns the states at the beginning of the next pass and at each `break`.
+pub(super) fn passed<'m>(body: &Block, head: State<'m>) -> (Option<State<'m>>, Vec<State<'m>>) {
+    let mut walk = Walk::default();
+    let end = walk.block(body, head);
+    (joined(walk.continued.into_iter().chain(end)), walk.broken)
+}
+
 /// Returns the interval of each local, from its declaration and whole assignments; none if it is unknown or the local
 /// has no value.
 pub(crate) fn held(module: &Module, function: &Function) -> Vec<Option<Interval>> {
@@ -115,17 +122,20 @@ impl<'m> Walk<'m> {
                     self.wrote(&whole(*local), given);
                 }
                 state.assign(&whole(*local), given.unwrap_or_default());
+                if let Some(value) = value.as_ref().filter(|value| !calls(value)) {
+                    state.define(*local, value);
+                }
             }
             StmtKind::Assign { place, value } => {
-                let value = self.evaluated(value, &mut state);
+                let known = self.evaluated(value, &mut state);
                 if place.steps.is_empty() {
-                    self.given(place.root, the_whole(&value));
+                    self.given(place.root, the_whole(&known));
                 }
                 let written = lent(place);
                 state.forget(&written);
                 self.lent(&written);
-                self.wrote(place, &value);
-                state.assign(place, value);
+                self.wrote(place, &known);
+                state.store(place, value, known);
             }
             StmtKind::Expr(value) => {
                 self.evaluated(value, &mut state);

@@ -39,6 +39,8 @@ impl Formula {
 
 /// Largest number of forms subtracted from a goal, one after another.
 const STEPS: u32 = 3;
+/// Largest number where paths meet.
+const MEETING: u32 = 2;
 /// Largest nesting of case distinctions.
 const CASES: u32 = 2;
 /// Largest number of attempts for a goal.
@@ -172,6 +174,16 @@ impl Knowledge {
             || Rule::Forms.told(self.least(goal, steps, Some(0), all, left) >= 0)
     }
 
+    /// Returns the forms that have a symbol with another, the latest first.
+    pub(super) fn about(&self, form: &Linear) -> impl Iterator<Item = &Linear> {
+        self.forms.about(form).map(|(_, form)| form)
+    }
+
+    /// Returns true if a form is at least 0 on a path, proved by the few steps that are taken where paths meet.
+    pub(super) fn meets(&self, form: &Linear, all: &[Bounds]) -> bool {
+        self.dead || self.reaches(form, MEETING, all, &Cell::new(ATTEMPTS))
+    }
+
     /// Returns a lower bound of a form, found by subtracting known forms; the search stops at `enough`.
     fn least(
         &self,
@@ -234,7 +246,7 @@ impl Knowledge {
         let mine = self.clone();
         let follows = |form: &Linear, there: bool| {
             let knowledge = if there { other } else { &mine };
-            knowledge.reaches(form, 1, all, &Cell::new(ATTEMPTS))
+            knowledge.meets(form, all)
         };
         self.forms.join(&other.forms, follows);
         self.clauses.join(&other.clauses, |_, _| false);

@@ -11,7 +11,7 @@
 //! alternative of a clause.
 //!
 //! The condition of an operation is stated in exact numbers ([`values`]): a sum is within its type, an index is at
-//! least 0 and less than the length. A loop ([`walk`]) is analysed twice: bounds are *guessed* from a pass, and kept
+//! least 0 and less than the length. A loop ([`walk`]) is analysed twice: bounds and [`orders`] are *guessed* from a pass, and kept
 //! if a pass that begins with them ends with them. The result of a call is within its function's summary, which is
 //! known since callees precede callers; nothing is known of an external function's result.
 //!
@@ -22,9 +22,12 @@ mod floats;
 mod knowledge;
 mod limits;
 mod linear;
+mod moved;
 mod operations;
+mod orders;
 mod persistent;
 mod returns;
+mod tracked;
 mod values;
 mod walk;
 pub(super) mod written;

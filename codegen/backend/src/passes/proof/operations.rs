@@ -305,11 +305,46 @@ impl Values<'_> {
             return Some(Value::Number(exact));
         }
         let (p, q) = (self.range(point, &x), self.range(point, &y));
+        // What was computed before is within its type.
+        let p = (p.0.max(int.min()), p.1.min(int.max()));
         let found = operation(op, p, q, bounds_of(int));
-        let of = vec![Value::Number(x), Value::Number(y)];
+        let of = vec![Value::Number(x.clone()), Value::Number(y.clone())];
         let symbol = self.made(Origin::Binary(op, expr.ty.clone()), of, bounds_of(int));
         point.knowledge.refine(symbol, found, &self.all);
+        let halves = op == BinaryOp::Div && q == (2, 2) || op == BinaryOp::Shr && q == (1, 1);
+        if halves && p.0 >= 0 {
+            self.halved(point, &x, &Linear::symbol(symbol));
+        }
         Some(Value::Number(Linear::symbol(symbol)))
+    }
+
+    /// Adds the facts about half of a natural number: it is less, unless both are 0. Half of a sum of two numbers is
+    /// between them, and less than the larger.
+    fn halved(&self, point: &mut Point, whole: &Linear, half: &Linear) {
+        let below = |a: &Linear, b: &Linear, by: i128| {
+            b.minus(a).and_then(|it| it.shifted(-by)).map(Formula::Natural)
+        };
+        let shows = |fact: &Option<Formula>| {
+            fact.as_ref().is_some_and(|fact| point.knowledge.shows(fact, &self.all))
+        };
+        let mut facts = Vec::new();
+        let zero = Linear::number(0);
+        let by = i128::from(shows(&below(&zero, whole, 1)));
+        facts.push(below(half, whole, by));
+        if let [(a, 1), (b, 1)] = whole.parts[..]
+            && whole.constant == 0
+        {
+            let (a, b) = (Linear::symbol(a), Linear::symbol(b));
+            for (low, high) in [(&a, &b), (&b, &a)] {
+                if shows(&below(low, high, 0)) {
+                    let by = i128::from(shows(&below(low, high, 1)));
+                    facts.extend([below(low, half, 0), below(half, high, by)]);
+                }
+            }
+        }
+        for fact in facts.into_iter().flatten() {
+            point.knowledge.assume(&fact, &self.all);
+        }
     }
 
     /// Requires that the product is within its type: by its form, by its bounds, or by a check with a division.

@@ -4,11 +4,13 @@
 //! * Where paths meet, a place gets a new symbol that equals its value on each path.
 //! * A returned number is within the recorded bounds: each body is walked once with recording, after any trials.
 //! * A counter is between the values of the bounds at the beginning of the loop.
-//! * A local that a counted loop moves by a bounded amount per pass moves by at most that times the number of passes.
+//! * A word that a counted loop [moves](super::moved) by a bounded amount per pass moves by at most that times the
+//!   number of passes.
 //! * For other changed locals, bounds are guessed: first the initial ones, then joined with those at the end of a
 //!   pass. A bound that is not preserved is dropped, until a pass that begins within all of them ends within them.
 //!   After a counted loop, the local is within its initial bounds, its bounds at the end of a pass, or where the loop
 //!   is left. After a loop that only its body ends, each place has its value at one of the `break`s.
+//! * Of the [`orders`](super::orders), those hold at the head of a loop that each pass within all guesses preserves.
 
 use std::rc::Rc;
 
@@ -20,16 +22,14 @@ use bessemer_ir::{
 use super::knowledge::{Bounds, Formula, Knowledge};
 use super::linear::Linear;
 use super::returns::{self, Numbers, Returns};
+use super::tracked::{FAR, Met, Moved, Order, put};
 use super::values::{At, Parts, Point, Value, Values, fields_of, ordered, the_whole, within};
 use super::written::{Target, apart, by_expr, by_stmts};
 use crate::passes::sites::Site;
 use bessemer_ir::used::Rule;
 
-/// Largest movement in a pass that is tracked.
-const FAST: i128 = 1 << 32;
-
 /// Largest nesting of trials in which bounds are guessed, since each level multiplies the time.
-const TRIALS: u32 = 2;
+pub(super) const TRIALS: u32 = 2;
 
 /// Guessed bounds of a local's word that a loop changes.
 struct Guess {
@@ -44,14 +44,14 @@ struct Guess {
 }
 
 pub(super) struct Walk<'m> {
-    values: Values<'m>,
-    function: &'m Function,
+    pub(super) values: Values<'m>,
+    pub(super) function: &'m Function,
     /// For each surrounding loop, the points from which another pass begins, and those at which it is left.
     loops: Vec<(Vec<Point>, Vec<Point>)>,
     /// Numbers assigned to each local so far, if requested.
     held: Option<Vec<Option<Bounds>>>,
     /// Nesting of the trials in progress.
-    trials: u32,
+    pub(super) trials: u32,
     /// Bounds of the returned numbers so far.
     returned: Option<Numbers>,
 }
@@ -281,6 +281,7 @@ impl<'m> Walk<'m> {
         if a.knowledge.dead || b.knowledge.dead {
             return if a.knowledge.dead { b } else { a };
         }
+        let mut numbers = Vec::new();
         for (root, one, other) in a.places.differences(&b.places) {
             let both = one.zip(other);
             let kept = both.map(|(one, other)| {
@@ -288,12 +289,15 @@ impl<'m> Walk<'m> {
                 let parts = one.iter().filter_map(|(at, value)| {
                     let (_, other) = other.iter().find(|(it, _)| it == at)?;
                     let paths = [(&mut a.knowledge, value), (&mut b.knowledge, other)];
-                    Some((at.clone(), self.met(root, at, paths)?))
+                    let met = self.met(root, at, paths)?;
+                    numbers.extend(Met::of(&met, value, other));
+                    Some((at.clone(), met))
                 });
                 Rc::new(parts.collect())
             });
             a.places.set(root, kept);
         }
+        self.order([&mut a.knowledge, &mut b.knowledge], &numbers);
         a.knowledge.join(&b.knowledge, &self.values.all);
         let version = if a.version == b.version { a.version } else { self.values.next_version() };
         Point { knowledge: a.knowledge, places: a.places, version }
@@ -334,7 +338,7 @@ impl<'m> Walk<'m> {
     }
 
     /// Analyses a body without reporting what may fault.
-    fn trial(&mut self, body: &Block, head: Point) -> (Option<Point>, Vec<Point>) {
+    pub(super) fn trial(&mut self, body: &Block, head: Point) -> (Option<Point>, Vec<Point>) {
         let quiet = std::mem::replace(&mut self.values.quiet, true);
         self.trials += 1;
         let ends = self.pass(body, head);
@@ -357,7 +361,8 @@ impl<'m> Walk<'m> {
         self.forget(&mut empty, &written);
         if *ended {
             let guesses = self.guesses(&before, &written, &[]);
-            let (head, _) = self.guessed(&empty, guesses, body);
+            let mut orders = self.orders(&before, &written, body);
+            let (head, _) = self.guessed(&empty, guesses, &mut orders, body);
             let (_, left) = self.pass(body, head);
             return self.joined(left).unwrap_or(empty);
         }
@@ -379,25 +384,21 @@ impl<'m> Walk<'m> {
         let most = last.minus(&first).and_then(|it| it.shifted(1));
         let most = most.map_or(i128::MAX, |it| before.knowledge.closest(&it, &self.values.all).1);
         let mut behind = empty;
-        let moved = self.moved(&before, &head, &written, body);
-        let moving: Vec<LocalId> = moved.iter().map(|it| it.0).collect();
-        for (local, old, (down, up)) in moved {
+        let moved = self.moved(&before, &head, &written, most, body);
+        // What moves far in a pass may be set rather than moved, so its bounds are guessed, too.
+        let steady: Vec<LocalId> =
+            moved.iter().filter(|it| it.by.1 - it.by.0 < FAR).map(|it| it.word.local).collect();
+        for Moved { word, old, by: (down, up) } in moved {
             Rule::Moved.used();
-            let Some(Value::Number(now)) = self.values.unknown(&self.function.local(local).ty)
-            else {
-                continue;
-            };
+            let Some(Value::Number(now)) = self.unknown_at(&word) else { continue };
             // old + down · done <= now <= old + up · done
             let steps =
                 done.as_ref().and_then(|done| Some((old.plus(down, done)?, old.plus(up, done)?)));
             if let Some((low, high)) = steps {
                 self.between(&mut head, &now, [&low, &high]);
             }
-            head.places.insert(local.0, vec![(Vec::new(), Value::Number(now))]);
-            let Some(Value::Number(then)) = self.values.unknown(&self.function.local(local).ty)
-            else {
-                continue;
-            };
+            put(&mut head, &word, now);
+            let Some(Value::Number(then)) = self.unknown_at(&word) else { continue };
             let passes = most.max(0);
             let ends = (down.min(0).checked_mul(passes), up.max(0).checked_mul(passes));
             let ends =
@@ -405,13 +406,15 @@ impl<'m> Walk<'m> {
             if let (Some(low), Some(high)) = ends {
                 self.between(&mut behind, &then, [&low, &high]);
             }
-            behind.places.insert(local.0, vec![(Vec::new(), Value::Number(then))]);
+            put(&mut behind, &word, then);
         }
-        let guesses = self.guesses(&before, &written, &moving);
-        let kept = if guesses.is_empty() || head.knowledge.dead {
+        let guesses = self.guesses(&before, &written, &steady);
+        let mut orders = self.orders(&before, &written, body);
+        let kept = if guesses.is_empty() && orders.is_empty() || head.knowledge.dead {
+            orders.clear();
             Vec::new()
         } else {
-            let (with, kept) = self.guessed(&head, guesses, body);
+            let (with, kept) = self.guessed(&head, guesses, &mut orders, body);
             head = with;
             kept
         };
@@ -430,12 +433,28 @@ impl<'m> Walk<'m> {
                 };
                 hull = (hull.0.min(end.0), hull.1.max(end.1));
             }
-            let widest = self.values.type_bounds(local, &at);
-            let symbol = self.values.fresh((hull.0.max(widest.0), hull.1.min(widest.1)));
-            let held = behind.places.change(local.0);
-            held.push((at, Value::Number(Linear::symbol(symbol))));
+            self.bound(&mut behind, Target { local, at }, hull);
         }
+        // Each holds before the loop, after each pass, and wherever else the loop is left.
+        orders.retain(|order| left.iter().all(|point| self.is_shown(point, order)));
+        self.assume_orders(&mut behind, &orders);
         behind
+    }
+
+    /// Gives the number at a place these bounds, besides those that it has.
+    fn bound(&mut self, point: &mut Point, word: Target, bounds: Bounds) {
+        let widest = self.values.type_bounds(word.local, &word.at);
+        let bounds = (bounds.0.max(widest.0), bounds.1.min(widest.1));
+        let held =
+            point.places.get(word.local.0).and_then(|it| it.iter().find(|it| it.0 == word.at));
+        if let Some((_, Value::Number(form))) = held
+            && let Some(formula) = within(form, bounds)
+        {
+            point.knowledge.assume(&formula, &self.values.all);
+            return;
+        }
+        let symbol = self.values.fresh(bounds);
+        put(point, &word, Linear::symbol(symbol));
     }
 
     fn between(&mut self, point: &mut Point, form: &Linear, [low, high]: [&Linear; 2]) {
@@ -444,59 +463,6 @@ impl<'m> Walk<'m> {
                 point.knowledge.assume(&order, &self.values.all);
             }
         }
-    }
-
-    /// Returns the locals that a pass moves by a bounded amount, with their initial values and that amount.
-    fn moved(
-        &mut self,
-        before: &Point,
-        head: &Point,
-        written: &[Target],
-        body: &Block,
-    ) -> Vec<(LocalId, Linear, Bounds)> {
-        let held = |local: LocalId| match before.places.get(local.0)?.as_slice() {
-            [(at, Value::Number(form))] if at.is_empty() => Some(form.clone()),
-            _ => None,
-        };
-        let mut locals: Vec<LocalId> = written
-            .iter()
-            .filter(|it| it.at.is_empty() && self.function.local(it.local).ty.as_int().is_some())
-            .map(|it| it.local)
-            .collect();
-        locals.sort_unstable();
-        locals.dedup();
-        let counted: Vec<(LocalId, Linear)> =
-            locals.into_iter().filter_map(|local| Some((local, held(local)?))).collect();
-        if counted.is_empty() {
-            return Vec::new();
-        }
-        let mut trial = head.clone();
-        let mut starts = Vec::new();
-        for (local, _) in &counted {
-            let start = self.values.unknown(&self.function.local(*local).ty);
-            let Some(Value::Number(start)) = start else { return Vec::new() };
-            trial.places.insert(local.0, vec![(Vec::new(), Value::Number(start.clone()))]);
-            starts.push(start);
-        }
-        let (again, left) = self.trial(body, trial);
-        let mut found = Vec::new();
-        for ((local, old), start) in counted.into_iter().zip(starts) {
-            let mut by = (0, 0);
-            for point in again.iter().chain(&left) {
-                let now = point.places.get(local.0).and_then(|held| match held.as_slice() {
-                    [(at, Value::Number(form))] if at.is_empty() => Some(form),
-                    _ => None,
-                });
-                let more = now.and_then(|now| now.minus(&start));
-                let more = more.map(|it| point.knowledge.closest(&it, &self.values.all));
-                let (low, high) = more.unwrap_or((i128::MIN, i128::MAX));
-                by = (low.min(by.0), high.max(by.1));
-            }
-            if by.0.checked_abs().is_some_and(|by| by < FAST) && by.1 < FAST {
-                found.push((local, old, by));
-            }
-        }
-        found
     }
 
     /// Returns initial guesses for the words that a loop writes, except locals that are tracked otherwise.
@@ -530,18 +496,22 @@ impl<'m> Walk<'m> {
         guesses
     }
 
-    /// Returns the head of a loop with bounds that each pass preserves, and these bounds.
+    /// Returns the head of a loop with bounds that each pass preserves, and these bounds. Of the orders, those remain
+    /// that each pass preserves.
     fn guessed(
         &mut self,
         empty: &Point,
         mut guesses: Vec<Guess>,
+        orders: &mut Vec<Order>,
         body: &Block,
     ) -> (Point, Vec<Guess>) {
         loop {
-            let head = self.head(empty, &guesses);
+            let head = self.head(empty, &guesses, orders);
             let (again, _) = self.trial(body, head);
             let Some(again) = again else { break };
-            let mut kept = true;
+            let known = orders.len();
+            orders.retain(|order| self.is_shown(&again, order));
+            let mut kept = orders.len() == known;
             let mut ends = Vec::new();
             for Guess { local, at, now, widest, seen, .. } in &mut guesses {
                 let held =
@@ -571,17 +541,15 @@ impl<'m> Walk<'m> {
             }
         }
         Rule::Guessed.told(!guesses.is_empty());
-        (self.head(empty, &guesses), guesses)
+        (self.head(empty, &guesses, orders), guesses)
     }
 
-    fn head(&mut self, empty: &Point, guesses: &[Guess]) -> Point {
+    fn head(&mut self, empty: &Point, guesses: &[Guess], orders: &[Order]) -> Point {
         let mut head = empty.clone();
         for Guess { local, at, now, .. } in guesses {
-            let symbol = self.values.fresh(*now);
-            let held = head.places.change(local.0);
-            held.retain(|(it, _)| it != at);
-            held.push((at.clone(), Value::Number(Linear::symbol(symbol))));
+            self.bound(&mut head, Target { local: *local, at: at.clone() }, *now);
         }
+        self.assume_orders(&mut head, orders);
         head
     }
 }
