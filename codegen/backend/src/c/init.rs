@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use bessemer_ir::{ConstId, Module, StructId, Type};
+use bessemer_ir::{ConstId, Module, Scalar, StructId, Type};
 
 use super::context::{Context, Uses};
 use super::literal::Readers;
@@ -124,11 +124,26 @@ impl Writer<'_> {
             Type::Array { element, len } => self.array(place, element, *len, sizes, words),
             Type::Matrix { element, rows, cols } => {
                 let (layout, shape) = (self.context.names.layout, (*rows, *cols));
+                if *rows > 1 && *cols > 1 && is_sparse(words) {
+                    self.sparse(place, *element, shape, words);
+                    return;
+                }
                 let words = layout.in_memory(words, shape);
                 // Of a column, the rows are the elements.
                 let sizes = if *cols == 1 { sizes } else { &[] };
                 self.value(place, &layout.array(*element, shape), sizes, &words);
             }
+        }
+    }
+
+    /// Sets a matrix to zeros, and then the elements that are none.
+    fn sparse(&mut self, place: Expr, element: Scalar, shape: (u32, u32), words: &[u64]) {
+        let layout = self.context.names.layout;
+        let zeros = vec![0; words.len()];
+        self.value(place.clone(), &layout.array(element, shape), &[], &zeros);
+        for (index, word) in (0..).zip(words).filter(|(_, word)| **word != 0) {
+            let place = layout.by_columns(place.clone(), shape, index);
+            self.value(place, &Type::Scalar(element), &[], std::slice::from_ref(word));
         }
     }
 
@@ -203,6 +218,15 @@ impl Writer<'_> {
         let math = words.iter().any(|word| literal::needs_math(element, *word));
         self.uses.system.extend(math.then_some("math.h"));
     }
+}
+
+/// Returns true if a matrix is mostly zeros, so that a loop and some assignments are shorter than its elements.
+fn is_sparse(words: &[u64]) -> bool {
+    let zeros = words.iter().filter(|word| **word == 0).count();
+    words.len() > LINES
+        && words.len() > zeros
+        && words.len() - zeros <= WORDS
+        && 2 * zeros > words.len()
 }
 
 /// Returns the counter name for a loop inside `depth` others.

@@ -369,18 +369,21 @@ void navigation_init(navigation_t *self)
     for (uint32_t i = 0U; i < 12U; i++) {
         self->state[i] = 0.0;
     }
-    static const double initial_elements[144] = {
-        1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.1, 0.0,
-        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        0.0, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.01, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0001, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.0, 0.0, 0.0001, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        0.0, 0.0001
-    };
-    (void)memcpy(self->covariance.elements, initial_elements, sizeof(initial_elements));
+    for (uint32_t i = 0U; i < 144U; i++) {
+        self->covariance.elements[i] = 0.0;
+    }
+    self->covariance.elements[0 + 12 * 0] = 1.0;
+    self->covariance.elements[1 + 12 * 1] = 1.0;
+    self->covariance.elements[2 + 12 * 2] = 1.0;
+    self->covariance.elements[3 + 12 * 3] = 0.1;
+    self->covariance.elements[4 + 12 * 4] = 0.1;
+    self->covariance.elements[5 + 12 * 5] = 0.1;
+    self->covariance.elements[6 + 12 * 6] = 0.01;
+    self->covariance.elements[7 + 12 * 7] = 0.01;
+    self->covariance.elements[8 + 12 * 8] = 0.01;
+    self->covariance.elements[9 + 12 * 9] = 0.0001;
+    self->covariance.elements[10 + 12 * 10] = 0.0001;
+    self->covariance.elements[11 + 12 * 11] = 0.0001;
 }
 
 void navigation_predict(navigation_t *BESSEMER_RESTRICT self, const inertial_t *inertial,

@@ -66,12 +66,15 @@ void pointing_filter_init(pointing_filter_t *self)
     self->state.bias[0] = 0.0;
     self->state.bias[1] = 0.0;
     self->state.bias[2] = 0.0;
-    static const double initial_elements[36] = {
-        0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.001, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.001, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        0.001
-    };
-    (void)memcpy(self->covariance.elements, initial_elements, sizeof(initial_elements));
+    for (uint32_t i = 0U; i < 36U; i++) {
+        self->covariance.elements[i] = 0.0;
+    }
+    self->covariance.elements[0 + 6 * 0] = 0.1;
+    self->covariance.elements[1 + 6 * 1] = 0.1;
+    self->covariance.elements[2 + 6 * 2] = 0.1;
+    self->covariance.elements[3 + 6 * 3] = 0.001;
+    self->covariance.elements[4 + 6 * 4] = 0.001;
+    self->covariance.elements[5 + 6 * 5] = 0.001;
 }
 
 void pointing_filter_predict(pointing_filter_t *BESSEMER_RESTRICT self, const double rates[3],

@@ -4,15 +4,12 @@
 
 void mounting_init(mounting_t *self)
 {
-    self->rotation[0] = 1.0;
-    self->rotation[1] = 0.0;
-    self->rotation[2] = 0.0;
-    self->rotation[3] = 0.0;
-    self->rotation[4] = 1.0;
-    self->rotation[5] = 0.0;
-    self->rotation[6] = 0.0;
-    self->rotation[7] = 0.0;
-    self->rotation[8] = 1.0;
+    for (uint32_t i = 0U; i < 9U; i++) {
+        self->rotation[i] = 0.0;
+    }
+    self->rotation[0 + 3 * 0] = 1.0;
+    self->rotation[1 + 3 * 1] = 1.0;
+    self->rotation[2 + 3 * 2] = 1.0;
 }
 
 void mounting_turned(const mounting_t *self, const double measured[3],

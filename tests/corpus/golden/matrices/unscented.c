@@ -15,15 +15,12 @@ void located_init(located_t *self)
     self->pose.heading = 0.0;
 
     /* In Rust: `Symmetric::diagonal(&Vector3::new(1.0, 1.0, 0.1))`. */
-    self->covariance.elements[0] = 1.0;
-    self->covariance.elements[1] = 0.0;
-    self->covariance.elements[2] = 0.0;
-    self->covariance.elements[3] = 0.0;
-    self->covariance.elements[4] = 1.0;
-    self->covariance.elements[5] = 0.0;
-    self->covariance.elements[6] = 0.0;
-    self->covariance.elements[7] = 0.0;
-    self->covariance.elements[8] = 0.1;
+    for (uint32_t i = 0U; i < 9U; i++) {
+        self->covariance.elements[i] = 0.0;
+    }
+    self->covariance.elements[0 + 3 * 0] = 1.0;
+    self->covariance.elements[1 + 3 * 1] = 1.0;
+    self->covariance.elements[2 + 3 * 2] = 0.1;
 }
 
 bool located_drive(located_t *self, double distance, double turn)
@@ -274,15 +271,12 @@ void located_by_root_init(located_by_root_t *self)
     self->pose[2] = 0.0;
 
     /* In Rust: `Rooted::diagonal(&Vector3::new(1.0, 1.0, 0.3))`. */
-    self->root.factor[0] = 1.0;
-    self->root.factor[1] = 0.0;
-    self->root.factor[2] = 0.0;
-    self->root.factor[3] = 0.0;
-    self->root.factor[4] = 1.0;
-    self->root.factor[5] = 0.0;
-    self->root.factor[6] = 0.0;
-    self->root.factor[7] = 0.0;
-    self->root.factor[8] = 0.3;
+    for (uint32_t i = 0U; i < 9U; i++) {
+        self->root.factor[i] = 0.0;
+    }
+    self->root.factor[0 + 3 * 0] = 1.0;
+    self->root.factor[1 + 3 * 1] = 1.0;
+    self->root.factor[2 + 3 * 2] = 0.3;
 }
 
 void located_by_root_step(located_by_root_t *BESSEMER_RESTRICT self, double distance, double turn,
