@@ -21,7 +21,6 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "arctangent.h"
 #include "attitude_filter.h"
@@ -134,27 +133,27 @@ void estimator_init(estimator_t *self)
     for (uint32_t i = 0U; i < 6U; i++) {
         self->attitude.state[i] = 0.0;
     }
-    static const double initial_elements[36] = {
-        1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.0025000000000000005, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0025000000000000005,
-        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0025000000000000005
-    };
-    (void)memcpy(self->attitude.covariance.elements, initial_elements, sizeof(initial_elements));
+    for (uint32_t i = 0U; i < 36U; i++) {
+        self->attitude.covariance.elements[i] = 0.0;
+    }
+    self->attitude.covariance.elements[0 + 6 * 0] = 1.0;
+    self->attitude.covariance.elements[1 + 6 * 1] = 1.0;
+    self->attitude.covariance.elements[2 + 6 * 2] = 1.0;
+    self->attitude.covariance.elements[3 + 6 * 3] = 0.0025000000000000005;
+    self->attitude.covariance.elements[4 + 6 * 4] = 0.0025000000000000005;
+    self->attitude.covariance.elements[5 + 6 * 5] = 0.0025000000000000005;
 
     /* In Rust: `[AxisFilter::at_rest(3.0, 0.3); 3]`. */
     for (uint32_t i = 0U; i < 3U; i++) {
         self->axes[i].state[0] = 0.0;
         self->axes[i].state[1] = 0.0;
         self->axes[i].state[2] = 0.0;
-        self->axes[i].covariance.elements[0] = 9.0;
-        self->axes[i].covariance.elements[1] = 0.0;
-        self->axes[i].covariance.elements[2] = 0.0;
-        self->axes[i].covariance.elements[3] = 0.0;
-        self->axes[i].covariance.elements[4] = 0.01;
-        self->axes[i].covariance.elements[5] = 0.0;
-        self->axes[i].covariance.elements[6] = 0.0;
-        self->axes[i].covariance.elements[7] = 0.0;
-        self->axes[i].covariance.elements[8] = 0.09;
+        for (uint32_t j = 0U; j < 9U; j++) {
+            self->axes[i].covariance.elements[j] = 0.0;
+        }
+        self->axes[i].covariance.elements[0 + 3 * 0] = 9.0;
+        self->axes[i].covariance.elements[1 + 3 * 1] = 0.01;
+        self->axes[i].covariance.elements[2 + 3 * 2] = 0.09;
     }
     low_pass_init(&self->smooth);
     stuck_init(&self->vicon);

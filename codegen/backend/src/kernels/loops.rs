@@ -20,11 +20,15 @@ $ways#endif";
 /// Selection of the loops where the processor has no instructions for `double`.
 const SOFTWARE: &str = "\
 /* Where double is computed in software, its functions take the time, and loops are as fast in a tenth of the code. */
-#if !defined(BESSEMER_LOOPS) && defined(__arm__) && (!defined(__ARM_FP) || (__ARM_FP & 8) == 0)
+#if !defined(BESSEMER_LOOPS) && $condition
 #define BESSEMER_LOOPS
 #endif
 
 ";
+
+/// Preprocessor condition of processors without instructions for `double`.
+pub(super) const IN_SOFTWARE: &str =
+    "defined(__arm__) && (!defined(__ARM_FP) || (__ARM_FP & 8) == 0)";
 
 /// Returns a kernel's variants, preceded by its plain loops unless these are the only variant.
 pub(super) fn before(kernel: &Kernel, ways: Source, buffers: &[Buffer]) -> Source {
@@ -74,7 +78,9 @@ pub(super) fn before(kernel: &Kernel, ways: Source, buffers: &[Buffer]) -> Sourc
     let (math, string, dot) =
         (ways.math || loops.math, ways.string || loops.string, ways.dot || loops.dot);
     let body = format!("#if defined(BESSEMER_LOOPS)\n{call}{others}");
-    let software = if kernel.element == Float::F64 { SOFTWARE } else { "" };
+    let condition = [("condition", IN_SOFTWARE.to_owned())];
+    let software =
+        if kernel.element == Float::F64 { fill(SOFTWARE, &condition) } else { String::new() };
     Source { before: format!("{software}{}", fill(HEAD, &values)), body, math, string, dot }
 }
 

@@ -16,6 +16,7 @@ mod vectors;
 
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 
+use super::plain;
 use super::text::indented;
 use super::threads::Work;
 use super::{Mode, Source, Tuning, fast};
@@ -81,7 +82,9 @@ pub(super) fn source(
 ) -> Option<Source> {
     let sizes = Sizes::new(kernel.routine, rows, inner, columns);
     if is_small(kernel) {
-        return Some(Source { body: small::source(kernel.element, sizes), ..Source::default() });
+        let loops = plain::source(kernel).body;
+        let body = small::source(kernel.element, sizes, &loops);
+        return Some(Source { body, ..Source::default() });
     }
     let shares = [rows, inner, columns].into_iter().all(|size| size >= THREADED);
     let numbers = numbers::source(kernel.element, sizes, tuning.code_bytes, shares)?;

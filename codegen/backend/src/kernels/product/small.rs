@@ -10,6 +10,7 @@ use std::fmt::Write as _;
 use bessemer_ir::Float;
 
 use super::{Sizes, real};
+use crate::kernels::loops::IN_SOFTWARE;
 use crate::kernels::text::{bytes, vectors_if};
 
 /// Largest size.
@@ -27,8 +28,15 @@ enum Plan {
     TwoColumns,
 }
 
-/// Returns the body of a product.
-pub(super) fn source(element: Float, sizes: Sizes) -> String {
+/// Number of products from which loops are much shorter than what is written out.
+const MANY: u32 = 9;
+
+/// Reason of the loops where `double` is in software.
+const IN_LOOPS: &str = "\
+/* Where double is computed in software, its functions take the time: loops are about as fast, and much shorter. */";
+
+/// Returns the body of a product; `loops` are its plain loops.
+pub(super) fn source(element: Float, sizes: Sizes, loops: &str) -> String {
     let mut text = String::new();
     let mut kept: Vec<(&str, Plan)> = Vec::new();
     for (condition, width) in TARGETS.into_iter().rev() {
@@ -46,7 +54,12 @@ pub(super) fn source(element: Float, sizes: Sizes) -> String {
             Plan::TwoColumns => two_columns(element, sizes),
         };
     }
-    match kept.is_empty() {
+    if element == Float::F64 && sizes.rows * sizes.inner * sizes.columns >= MANY {
+        let word = if kept.is_empty() { "if" } else { "elif" };
+        let _ = writeln!(text, "#{word} {IN_SOFTWARE}\n{IN_LOOPS}");
+        text += loops;
+    }
+    match text.is_empty() {
         true => plain(element, sizes),
         false => format!("{text}#else\n{}#endif\n", plain(element, sizes)),
     }
