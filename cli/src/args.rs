@@ -275,7 +275,8 @@ Examples:
   cargo bessemer dossier                              dossier/: open dossier/index.html
   cargo bessemer dossier --requirements hlr.csv       With the texts of the requirements that the sources name
   cargo bessemer dossier --inputs Motor::step=log.csv --fill 100
-                                                      Coverage also by a recording, and by more random inputs
+                                                      Coverage also by a recording, and by a search
+  cargo bessemer dossier --tests sim                  Coverage also by the calls that the tests of `sim` record
   cargo bessemer dossier --since v1.0                 Also what of the C changed since a tag, and what to test again
   cargo bessemer dossier --check dossier              Is it of these sources? Compares hashes, and builds nothing
 
@@ -290,7 +291,7 @@ pub struct Dossier {
     #[arg(long, value_name = "FOLDER", default_value = "dossier")]
     pub output: PathBuf,
     /// Compare this dossier with the sources, and write nothing
-    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["requirements", "inputs", "since", "quick", "fill"])]
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["requirements", "inputs", "since", "quick", "tests", "reasons", "fill"])]
     pub check: Option<PathBuf>,
     /// The list of requirements: CSV with the columns `id` and `text`, or ReqIF
     #[arg(long, value_name = "FILE")]
@@ -298,8 +299,14 @@ pub struct Dossier {
     /// Recorded inputs for the coverage: an entry point and a file as `verify --inputs` takes it
     #[arg(long, value_name = "ENTRY=FILE")]
     pub inputs: Vec<String>,
-    /// Search for inputs that raise the coverage, with at most this number of further seeds
-    #[arg(long, value_name = "SEEDS", default_value_t = 0)]
+    /// Also run the tests of this package of the workspace, such as one that simulates the models
+    #[arg(long, value_name = "PACKAGE")]
+    pub tests: Vec<String>,
+    /// Reasons why conditions and statements need no further test: CSV with the columns `function`, `code` and `reason`
+    #[arg(long, value_name = "FILE")]
+    pub reasons: Option<PathBuf>,
+    /// Search for calls that raise the coverage, in this number of rounds
+    #[arg(long, value_name = "ROUNDS", default_value_t = 0)]
     pub fill: u64,
     /// Also list the changes of the C since this tag or commit, in which the C is committed
     #[arg(long, value_name = "TAG")]

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use bessemer::Plain;
+use bessemer_words::record::{self, Calls};
 
 use crate::args::Verify;
 use crate::verify;
@@ -30,32 +31,13 @@ pub fn same_bits<C, I: Plain>(entry: &str, inputs: impl IntoIterator<Item = I>) 
     same_bits_at::<C, I>(Path::new(&folder), entry, inputs);
 }
 
-/// Variable with the folder into which each test writes its calls, for the coverage of a dossier.
-pub(crate) const RECORD: &str = "BESSEMER_RECORD";
-
-/// Writes the calls of a test, if a dossier requests them. A failure only makes the coverage smaller.
-fn record(entry: &str, calls: &[Vec<u64>]) {
-    let Some(folder) = std::env::var_os(RECORD) else { return };
-    let text = serde_json::json!({ "entry": entry, "calls": calls }).to_string();
-    let name = bessemer_dossier::manifest::hash(text.as_bytes());
-    let _ = std::fs::write(Path::new(&folder).join(name), text);
-}
-
-/// Reads the calls that tests wrote, by entry point.
-pub(crate) fn recorded(folder: &Path) -> Vec<(String, Vec<Vec<u64>>)> {
-    let files = std::fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut paths: Vec<_> = files.map(|file| file.path()).collect();
-    paths.sort();
-    let read = |path: &std::path::PathBuf| {
-        let text = std::fs::read_to_string(path).ok()?;
-        let json: serde_json::Value = serde_json::from_str(&text).ok()?;
-        let words = |call: &serde_json::Value| {
-            call.as_array()?.iter().map(serde_json::Value::as_u64).collect::<Option<Vec<u64>>>()
-        };
-        let calls = json["calls"].as_array()?.iter().map(words).collect::<Option<Vec<_>>>()?;
-        Some((json["entry"].as_str()?.to_owned(), calls))
-    };
-    paths.iter().filter_map(read).collect()
+/// Writes the calls of a test, if a dossier requests them.
+fn keep(calls: &Calls) {
+    if let Some(folder) = std::env::var_os(record::FOLDER)
+        && let Err(error) = calls.write(Path::new(&folder))
+    {
+        anstream::eprintln!("the calls of {} are missing in the coverage: {error}", calls.entry);
+    }
 }
 
 /// Compares the legs for the package in this folder.
@@ -64,13 +46,13 @@ pub(crate) fn recorded(folder: &Path) -> Vec<(String, Vec<Vec<u64>>)> {
 /// As [`same_bits`] does.
 #[track_caller]
 pub fn same_bits_at<C, I: Plain>(folder: &Path, entry: &str, inputs: impl IntoIterator<Item = I>) {
-    let path = std::any::type_name::<C>();
-    let component = path.split('<').next().and_then(|path| path.rsplit("::").next());
-    let entry = Some(format!("{}::{entry}", component.unwrap_or(path)));
+    let entry = format!("{}::{entry}", record::component::<C>());
     let calls: Vec<Vec<u64>> =
         inputs.into_iter().map(|input| bessemer_legs::words(&input)).collect();
-    record(entry.as_deref().unwrap_or_default(), &calls);
-    let wanted = Verify { entry, ..Verify::default() };
+    let calls = Calls { entry, calls };
+    keep(&calls);
+    let wanted = Verify { entry: Some(calls.entry), ..Verify::default() };
+    let calls = calls.calls;
     match verify::with_words(folder, &wanted, &calls) {
         Ok((_, true)) => {}
         Ok((text, false)) => panic!("{text}"),

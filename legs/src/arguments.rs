@@ -75,30 +75,53 @@ impl Numbers {
 pub fn words(random: &mut Random, module: &Module, ty: &Type, size: Size<'_>) -> Vec<u64> {
     let leaves = module.leaves(ty);
     let mut words: Vec<u64> = leaves.iter().map(|ty| word(random, module, ty, size)).collect();
-    lengths(random, module, ty, &mut words);
+    each_length(module, ty, &mut words, &mut |length, capacity| {
+        *length = random.below(capacity as usize + 1) as u64;
+    });
     module.canonical(ty, &mut words);
     words
 }
 
-fn lengths<'w>(
+/// Changes up to three words of a value to such as [`words`] returns. `leaves` are those of its type.
+pub fn change(
     random: &mut Random,
     module: &Module,
     ty: &Type,
+    leaves: &[Type],
+    value: &mut [u64],
+    size: Size<'_>,
+) {
+    for _ in 0..=random.below(3) {
+        if leaves.is_empty() {
+            return;
+        }
+        let at = random.below(leaves.len());
+        value[at] = word(random, module, &leaves[at], size);
+    }
+    each_length(module, ty, value, &mut |length, capacity| *length = (*length).min(capacity));
+    module.canonical(ty, value);
+}
+
+/// Calls `f` with the length of each list in a value, and its capacity. Returns the words behind the value.
+fn each_length<'w>(
+    module: &Module,
+    ty: &Type,
     words: &'w mut [u64],
+    f: &mut dyn FnMut(&mut u64, u64),
 ) -> &'w mut [u64] {
     match ty {
         Type::Array { element, len } => {
-            (0..*len).fold(words, |words, _| lengths(random, module, element, words))
+            (0..*len).fold(words, |words, _| each_length(module, element, words, f))
         }
         Type::Struct(id) => {
             let item = &module.structs[id.index()];
             if item.form == Form::Sequence
                 && let Type::Array { len, .. } = item.fields[1].ty
             {
-                words[0] = random.below(len as usize + 1) as u64;
+                f(&mut words[0], u64::from(len));
             }
             let fields = item.fields.iter();
-            fields.fold(words, |words, field| lengths(random, module, &field.ty, words))
+            fields.fold(words, |words, field| each_length(module, &field.ty, words, f))
         }
         other => &mut words[module.width(other)..],
     }

@@ -152,8 +152,8 @@ pub fn watched(
 /// Returns the program for components that keep their state between calls. It reads the entry point or function, a flag
 /// that restarts the component, and the words of the arguments. It writes the status and always the words of the
 /// result, the state and each changed argument.
-pub fn lives(module: &Module, entries: &[(FunctionId, u32)]) -> String {
-    several(module, entries, &Options::default(), &Carrier::Streams, |call, index| {
+pub fn lives(module: &Module, entries: &[(FunctionId, u32)], options: &Options) -> String {
+    several(module, entries, options, &Carrier::Streams, |call, index| {
         let Call { own, declarations, init, reads, call, writes, state, changed, .. } = call;
         let text = format!(
             "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}    if (get() != 0) {{\n{init}    }}\n\

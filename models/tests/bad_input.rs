@@ -1,6 +1,8 @@
 //! Bad input does no harm: packets that are none, sensors that are not numbers, clocks that run backwards,
 //! trajectories that lead nowhere. Each has one answer, and the motors are safe.
 
+mod recorded;
+
 use bessemer::nalgebra::Vector3;
 use models::calibration::{Calibration, Inertial, Readings, Vicon};
 use models::packet::Packet;
@@ -9,6 +11,7 @@ use models::receiver::{
 };
 use models::trajectory::{SetPoint, Space, Trajectory};
 use models::{Alarm, Inputs, Onboard, Outputs, Phase, Settings};
+use recorded::Recorded;
 
 fn space() -> Space {
     Settings::mambo().space
@@ -31,7 +34,7 @@ fn named_point(name: u8, index: u8, values: [f64; 5]) -> Vec<u8> {
     bytes
 }
 
-fn take(receiver: &mut Receiver, packet: &Packet) {
+fn take(receiver: &mut Recorded<Receiver>, packet: &Packet) {
     receiver.step(0.005, &space(), packet);
 }
 
@@ -53,7 +56,7 @@ fn every_bit_of_a_packet_counts() {
 
 #[test]
 fn what_is_no_packet_is_dropped_and_counted() {
-    let mut receiver = Receiver::default();
+    let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(HELLO, 1, &[]));
     let orders = receiver.orders;
 
@@ -75,7 +78,7 @@ fn what_is_no_packet_is_dropped_and_counted() {
 
 #[test]
 fn numbers_go_round() {
-    let mut receiver = Receiver::default();
+    let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(HELLO, u16::MAX, &[]));
     take(&mut receiver, &packet(MODE, 0, &[1]));
     assert_eq!(receiver.orders.mode, Mode::FeedForward);
@@ -83,7 +86,7 @@ fn numbers_go_round() {
 
 #[test]
 fn sticks_are_numbers_within_their_limits() {
-    let mut receiver = Receiver::default();
+    let mut receiver = Recorded::<Receiver>::default();
     let sticks = |values: [f64; 4]| -> Vec<u8> {
         values.iter().flat_map(|value| value.to_le_bytes()).collect()
     };
@@ -125,7 +128,7 @@ fn trajectories_out_of_order_or_out_of_bounds_are_refused() {
 
 #[test]
 fn a_refused_trajectory_leaves_the_one_that_is_flown() {
-    let mut receiver = Receiver::default();
+    let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(POINT, 1, &set_point(0, [0.0, 0.0, 0.0, 1.0, 0.0])));
     take(&mut receiver, &packet(COMMIT, 2, &[1, 0]));
     let flown = receiver.orders.trajectory;
@@ -142,7 +145,7 @@ fn a_refused_trajectory_leaves_the_one_that_is_flown() {
 
 #[test]
 fn to_stop_a_packet_is_never_too_old() {
-    let mut receiver = Receiver::default();
+    let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(MODE, 900, &[1]));
     take(&mut receiver, &packet(STOP, 1, &[]));
     assert!(receiver.orders.stop);
@@ -154,7 +157,7 @@ fn to_stop_a_packet_is_never_too_old() {
 
 #[test]
 fn what_makes_no_sense_moves_no_number() {
-    let mut receiver = Receiver::default();
+    let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(MODE, 900, &[1]));
     take(&mut receiver, &packet(HELLO, 5, &[1]));
     take(&mut receiver, &packet(MODE, 5000, &[9]));
@@ -163,7 +166,7 @@ fn what_makes_no_sense_moves_no_number() {
 
 #[test]
 fn points_of_an_earlier_trajectory_are_in_no_later_one() {
-    let mut receiver = Receiver::default();
+    let mut receiver = Recorded::<Receiver>::default();
     let at = |name, index, height| {
         named_point(name, index, [5.0 * f64::from(index), 0.0, 0.0, height, 0.0])
     };
@@ -187,7 +190,7 @@ fn points_of_an_earlier_trajectory_are_in_no_later_one() {
 
 #[test]
 fn points_of_an_earlier_ground_are_in_no_trajectory() {
-    let mut receiver = Receiver::default();
+    let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(POINT, 1, &named_point(1, 1, [5.0, 1.0, 0.0, 1.0, 0.0])));
     // Another begins to number anew, and with the same names.
     take(&mut receiver, &packet(HELLO, 1, &[]));
@@ -198,7 +201,7 @@ fn points_of_an_earlier_ground_are_in_no_trajectory() {
 
 #[test]
 fn sticks_that_never_came_are_old() {
-    let mut receiver = Receiver::default();
+    let mut receiver = Recorded::<Receiver>::default();
     assert!(receiver.orders.sticks_age >= NEVER);
     take(&mut receiver, &packet(STICKS, 1, &[0; 32]));
     assert_eq!(receiver.orders.sticks_age, 0.0);
@@ -211,7 +214,7 @@ fn no_number_is_within_no_limit() {
 
 #[test]
 fn the_ground_is_missed_once_it_has_beaten() {
-    let mut receiver = Receiver::default();
+    let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(HELLO, 1, &[]));
     assert!(!receiver.orders.watched);
     take(&mut receiver, &packet(HEARTBEAT, 2, &[]));
@@ -225,7 +228,7 @@ fn the_ground_is_missed_once_it_has_beaten() {
 /// The software on a bench at a height of 1 m, flying; `change` is what goes wrong with its inputs.
 fn flown(periods: usize, mut change: impl FnMut(usize, &mut Inputs)) -> Vec<Outputs> {
     let settings = Settings::mambo();
-    let mut onboard = Onboard::default();
+    let mut onboard = Recorded::<Onboard>::default();
     let mut packets = vec![
         packet(HELLO, 1, &[]),
         packet(POINT, 2, &set_point(0, [0.0, 0.0, 0.0, 1.0, 0.0])),

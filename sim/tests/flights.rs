@@ -1,19 +1,42 @@
 //! Every flight, held to its checks; and what the simulation promises of itself.
 
+use std::env::var_os;
+
 use bessemer_store::once;
-use sim::computer::Native;
+use bessemer_words::record::{self, Recorder};
+use models::{Inputs, Onboard, Outputs, Settings};
+use sim::computer::{Computer, Native};
 use sim::flights::{FLIGHTS, find};
 use sim::ground_station::Record;
 use sim::scenario::Scenario;
 use sim::voyage::{Voyage, fly};
 
+/// The models, with their calls recorded for a dossier.
+struct Recorded {
+    native: Native,
+    recorder: Recorder,
+}
+
+impl Computer for Recorded {
+    fn step(&mut self, settings: &Settings, inputs: &Inputs) -> Outputs {
+        self.recorder.call(|| (*settings, *inputs));
+        self.native.step(settings, inputs)
+    }
+
+    fn digest(&self) -> u64 {
+        self.native.digest()
+    }
+}
+
 fn flown(scenario: &Scenario) -> Voyage {
-    fly(scenario, &mut Native::default())
+    let (native, recorder) = (Native::default(), Recorder::of::<Onboard>("step"));
+    fly(scenario, &mut Recorded { native, recorder })
 }
 
 #[test]
 fn every_flight_is_as_it_should_be() {
-    once("every flight", &(), fly_them_all);
+    // A dossier needs the calls each time.
+    once("every flight", &var_os(record::FOLDER), fly_them_all);
 }
 
 fn fly_them_all() {

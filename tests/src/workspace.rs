@@ -98,7 +98,8 @@ impl Workspace {
         let root = root().canonicalize()?;
         let workspace = Workspace(tempfile::tempdir()?);
         fs::copy(root.join("Cargo.lock"), workspace.path("Cargo.lock"))?;
-        for linked in ["dsl", "estimation", "blocks"] {
+        fs::create_dir(workspace.path("legs"))?;
+        for linked in ["dsl", "estimation", "blocks", "legs/words"] {
             symlink(root.join(linked), workspace.path(linked))?;
         }
         let text = fs::read_to_string(root.join("Cargo.toml"))?;

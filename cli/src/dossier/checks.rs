@@ -8,15 +8,18 @@ use std::process::Command;
 use bessemer_codegen::compile::Compiled;
 use bessemer_dossier::content::{Outcome, Sizes};
 use bessemer_dossier::coverage::Report;
+use bessemer_dossier::coverage::reasons::{self, Row};
 use bessemer_dossier::requirements::Results;
 use bessemer_dossier::requirements::rust::Item;
 use bessemer_legs::toolchain::{self, GCC, Toolchain};
 use bessemer_project::Project;
+use bessemer_words::record;
+use tempfile::TempDir;
 
 use super::outcome;
 use crate::args::{Package, Target, Verify};
 use crate::error::Error;
-use crate::{same_bits, sizes, verify};
+use crate::{sizes, verify};
 
 /// Verdict of a check that found nothing wrong.
 pub const PASSED: &str = "passed";
@@ -65,37 +68,36 @@ pub fn not_run(why: &str) -> Vec<Outcome> {
     checks.map(one).to_vec()
 }
 
-/// A call of an entry point in a test, with its words.
-pub type Calls = Vec<(String, Vec<Vec<u64>>)>;
-
 /// Results of the package's tests.
 pub struct Tested {
     /// Outcome of all.
     pub outcome: Outcome,
     /// Results by file and name.
     pub results: Results,
-    /// Calls that the tests made through `same_bits`.
-    pub calls: Calls,
+    /// Folder of the calls that the tests made through `same_bits` or recorded.
+    pub calls: Option<TempDir>,
 }
 
-/// Runs the tests of the package.
-pub fn tests(project: &Project, items: &[Item]) -> Tested {
+/// Runs the tests of the package, and those of other packages of the workspace.
+pub fn tests(project: &Project, others: &[String], items: &[Item]) -> Tested {
     let what = "Tests of the package";
-    let shown = format!("cargo test --package {}", project.package.name);
+    let packages = std::iter::once(&project.package.name).chain(others);
+    let packages: Vec<&str> = packages.flat_map(|it| ["--package", it]).collect();
+    let shown = format!("cargo test {}", packages.join(" "));
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let recorded = tempfile::tempdir();
+    let recorded = tempfile::tempdir().ok();
     let mut command = Command::new(cargo);
-    command.args(["test", "--no-fail-fast", "--color", "never", "--package"]);
-    command.arg(&project.package.name).current_dir(&project.workspace.root);
-    if let Ok(folder) = &recorded {
-        command.env(same_bits::RECORD, folder.path());
+    command.args(["test", "--no-fail-fast", "--color", "never"]);
+    command.args(&packages).current_dir(&project.workspace.root);
+    if let Some(folder) = &recorded {
+        command.env(record::FOLDER, folder.path());
     }
     // Standard error names the programs, standard output the tests: both in one stream, in order.
     let said = both(&mut command);
     let none = |detail: String| Tested {
         outcome: outcome(what, &shown, rustc(), NOT_RUN, detail),
         results: Results::new(),
-        calls: Calls::new(),
+        calls: None,
     };
     let said = match said {
         Ok(said) => said,
@@ -114,9 +116,8 @@ pub fn tests(project: &Project, items: &[Item]) -> Tested {
     }
     let verdict = if results.failed == 0 { PASSED } else { FAILED };
     let detail = format!("{} passed, {} failed", results.all - results.failed, results.failed);
-    let calls = recorded.map(|it| same_bits::recorded(it.path())).unwrap_or_default();
     let outcome = outcome(what, &shown, rustc(), verdict, detail);
-    Tested { outcome, results: results.by_name, calls }
+    Tested { outcome, results: results.by_name, calls: recorded }
 }
 
 fn both(command: &mut Command) -> std::io::Result<String> {
@@ -216,38 +217,53 @@ pub fn verified(folder: &Path, package: Option<&str>) -> Outcome {
     outcome(what, "cargo bessemer verify", compilers(), verdict, detail)
 }
 
-/// The outcome of a measurement of coverage, and its report.
+/// The outcomes of a measurement of coverage, and its report with the author's reasons.
 ///
 /// # Errors
 /// An error of the user's inputs.
-pub fn covered(measured: Result<Report, Error>) -> Result<(Outcome, Option<Report>), Error> {
+pub fn covered(
+    measured: Result<Report, Error>,
+    rows: &[Row],
+) -> Result<(Vec<Outcome>, Option<Report>), Error> {
+    let of = |what, verdict, detail| {
+        outcome(what, "cargo bessemer dossier", compilers(), verdict, detail)
+    };
     let what = "Coverage of the C";
-    let of =
-        |verdict, detail| outcome(what, "cargo bessemer dossier", compilers(), verdict, detail);
-    match measured {
-        Ok(report) => {
-            let counts = report.counts;
-            let detail = format!(
-                "statements {} of {}, branches {} of {}, MC/DC {} of {}",
-                counts.statements.covered,
-                counts.statements.all,
-                counts.branches.covered,
-                counts.branches.all,
-                counts.conditions.covered,
-                counts.conditions.all
-            );
-            Ok((of(PASSED, detail), Some(report)))
-        }
+    let mut report = match measured {
+        Ok(report) => report,
         Err(Error::NoCompiler) => {
-            Ok((of(NOT_RUN, "neither gcc nor clang is installed".to_owned()), None))
+            let why = "neither gcc nor clang is installed".to_owned();
+            return Ok((vec![of(what, NOT_RUN, why)], None));
         }
         Err(Error::Compiler { name, said }) => {
             let first = said.lines().find_map(|line| Some(line.split_once("error: ")?.1));
             let short = first.unwrap_or("the C was refused");
-            Ok((of(FAILED, format!("{name}: {short}")), None))
+            return Ok((vec![of(what, FAILED, format!("{name}: {short}"))], None));
         }
-        Err(error) => Err(error),
+        Err(error) => return Err(error),
+    };
+    let counts = report.counts;
+    let detail = format!(
+        "statements {} of {}, branches {} of {}, MC/DC {} of {}",
+        counts.statements.covered,
+        counts.statements.all,
+        counts.branches.covered,
+        counts.branches.all,
+        counts.conditions.covered,
+        counts.conditions.all
+    );
+    let mut outcomes = vec![of(what, PASSED, detail)];
+    let unused = reasons::add(&mut report, rows);
+    if !rows.is_empty() {
+        let open = report.conditions.iter().filter(|it| it.reason.is_empty()).count();
+        let mut detail = format!("{open} conditions without a pair have none");
+        for row in &unused {
+            detail += &format!("; nothing is missing in `{}` at `{}`", row.function, row.code);
+        }
+        let verdict = if unused.is_empty() { PASSED } else { FAILED };
+        outcomes.push(of("Reasons for missing coverage", verdict, detail));
     }
+    Ok((outcomes, Some(report)))
 }
 
 /// This machine and processors whose compilers are installed.

@@ -15,6 +15,7 @@ use bessemer_codegen::generate;
 use bessemer_dossier::calls::Calls;
 use bessemer_dossier::change::{self, Version};
 use bessemer_dossier::content::{self, Content, Outcome};
+use bessemer_dossier::coverage::reasons;
 use bessemer_dossier::evidence::{self, Evidence};
 use bessemer_dossier::manifest;
 use bessemer_dossier::requirements::table::{self, Requirement};
@@ -57,6 +58,14 @@ pub enum Wrong {
         /// The mistake.
         why: table::Error,
     },
+    /// The table of reasons cannot be read.
+    #[error("`{path}`: {why}")]
+    Reasons {
+        /// The file.
+        path: PathBuf,
+        /// The mistake.
+        why: reasons::Error,
+    },
     /// An input is no `ENTRY=FILE`.
     #[error("`{said}` is no entry point with a file")]
     Input {
@@ -93,6 +102,9 @@ impl Wrong {
             Wrong::Requirements { .. } => {
                 "pass CSV with a column `id` and one `text`, or ReqIF".to_owned()
             }
+            Wrong::Reasons { .. } => {
+                "pass CSV whose first line is `function,code,reason`".to_owned()
+            }
             Wrong::Input { .. } => "write `--inputs Motor::step=flight.csv`".to_owned(),
             Wrong::Tag { .. } => "name a tag or a commit of this repository: `git tag`".to_owned(),
             Wrong::NoC { .. } => {
@@ -118,6 +130,7 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
     let inputs = wanted.inputs.iter().map(|said| input(said));
     let recordings = inputs.collect::<Result<Vec<_>, _>>()?;
     let list = wanted.requirements.as_deref().map(requirements).transpose()?;
+    let reasons = wanted.reasons.as_deref().map(reasons).transpose()?.unwrap_or_default();
     let items = sources::items(&project)?;
     let earlier = wanted.since.as_deref().map(|tag| sources::earlier(&project, tag, colour));
     let earlier = earlier.transpose()?;
@@ -139,16 +152,16 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
     if wanted.quick {
         results.extend(checks::not_run("`--quick` was passed"));
     } else {
-        say("running the tests of the package");
-        let tested = checks::tests(&project, &items);
+        say("running the tests");
+        let tested = checks::tests(&project, &wanted.tests, &items);
         results.push(tested.outcome);
         (of_tests, own.tests) = (tested.results, tested.calls);
         say("comparing Rust, interpreter and C");
         results.push(checks::verified(folder, wanted.package.name()));
         say("measuring the coverage of the C");
         let measured = covered::covered(&project, &compiled, &c, &own);
-        let (outcome, report) = checks::covered(measured)?;
-        results.push(outcome);
+        let (outcomes, report) = checks::covered(measured, &reasons)?;
+        results.extend(outcomes);
         coverage = report;
         for (name, toolchain) in checks::targets() {
             say(&format!("measuring sizes on {name}"));
@@ -339,6 +352,13 @@ fn requirements(path: &Path) -> Result<Vec<Requirement>, Error> {
     let text = String::from_utf8_lossy(&bytes);
     let read = table::read(&text);
     read.map_err(|why| Wrong::Requirements { path: path.to_owned(), why }.into())
+}
+
+fn reasons(path: &Path) -> Result<Vec<reasons::Row>, Error> {
+    let text = std::fs::read_to_string(path);
+    let text = text.map_err(|source| Error::File { path: path.to_owned(), source })?;
+    let read = reasons::read(&text);
+    read.map_err(|why| Wrong::Reasons { path: path.to_owned(), why }.into())
 }
 
 /// An outcome of a check.

@@ -1,6 +1,7 @@
-//! Coverage of the C by the inputs of `verify`, by recordings, and by the calls of the author's tests.
+//! Coverage of the C by made inputs, by recordings, by the calls of the author's tests, and by a search.
 //!
-//! The C is instrumented (`bessemer_dossier::coverage`), compiled once, and run with each set of inputs.
+//! The C is instrumented (`bessemer_dossier::coverage`), compiled once, and run with each set of inputs. Components begin
+//! in their initial state.
 
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
@@ -13,23 +14,23 @@ use bessemer_ir::FunctionId;
 use bessemer_legs::harness;
 use bessemer_legs::toolchain::{self, Toolchain};
 use bessemer_project::Project;
+use bessemer_words::record::{self, Calls};
+use tempfile::TempDir;
 
-use super::{Case, Inputs, all, cases, chosen, parted, recorded};
+use super::search::{Life, Search};
+use super::{Inputs, chosen, parted, recorded};
 use crate::error::Error;
 
-/// Sources of inputs besides generated ones.
+/// Sources of inputs besides made ones.
 #[derive(Debug, Default)]
 pub struct Sources {
     /// Recordings: the entry point and the file.
     pub recordings: Vec<(String, PathBuf)>,
-    /// Calls of tests: the entry point, and the words of each call.
-    pub tests: Vec<(String, Vec<Vec<u64>>)>,
-    /// Largest number of further seeds, as long as one closes a pair.
+    /// Folder of the calls of tests.
+    pub tests: Option<TempDir>,
+    /// Number of rounds of the search.
     pub fill: u64,
 }
-
-/// Number of seeds in a row without a new pair after which no more are tried.
-const PATIENCE: u64 = 10;
 
 /// Measures the coverage of the C.
 ///
@@ -65,50 +66,89 @@ pub fn covered(
         file.is_some_and(|it| it.map.iter().any(|row| !row.function.contains("::kernels::")))
     };
     let done = instrument::instrument(texts, authored);
-    let entries: Vec<FunctionId> = all(module).collect();
-    let program = Program::build(&options, compiled, &done, &entries, &toolchain)?;
-
-    let mut seen = Seen::default();
+    let mut search = Search::new(module);
+    let program = Program::build(&options, compiled, &done, &search, &toolchain)?;
+    let mut covered = Covered { program, seen: Seen::default() };
     let mut names = Vec::new();
-    let add = |seen: &mut Seen, inputs: &Inputs| -> Result<usize, Error> {
-        let cases = cases(module, inputs);
-        let calls = cases.iter().map(|it| it.calls.len()).sum();
-        seen.add(&program.run(&cases, &entries)?);
-        Ok(calls)
-    };
-    let calls = add(&mut seen, &Inputs::Made { seed: 0 })?;
-    names.push(format!("{calls} calls with edge values and small numbers, as of verify"));
+
+    let first = search.first();
+    let calls: usize = first.iter().map(|it| it.calls.len()).sum();
+    names.push(format!(
+        "{calls} calls of {} entry points and functions: edge values, small numbers, constants of the code",
+        search.targets.len()
+    ));
+    for of_one in first.chunk_by(|one, other| one.target == other.target) {
+        covered.add(&mut search, of_one)?;
+    }
     for (entry, path) in &sources.recordings {
         let inputs = recorded(project, compiled, path, Some(entry.as_str()))?;
-        let calls = add(&mut seen, &inputs)?;
+        let calls = covered.record(&mut search, &inputs)?;
         let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         names.push(format!("{calls} recorded calls of {entry} ({file})"));
     }
     let mut of_tests = 0;
-    for (entry, calls) in &sources.tests {
+    let files = sources.tests.as_ref().map(|it| record::files(it.path()));
+    let file = |path: PathBuf| move |source| Error::File { path, source };
+    for path in files.transpose().map_err(file(PathBuf::new()))?.unwrap_or_default() {
+        // One file after the other: those of a simulation have gigabytes.
+        let Calls { entry, calls } = Calls::read(&path).map_err(file(path))?;
         let entry = chosen(compiled, Some(entry.as_str()))?;
-        let calls = parted(module, entry, calls)?;
-        of_tests += add(&mut seen, &Inputs::Recorded { entry, calls, notes: Vec::new() })?;
+        let calls = parted(module, entry, &calls)?;
+        let inputs = Inputs::Recorded { entry, calls, notes: Vec::new() };
+        of_tests += covered.record(&mut search, &inputs)?;
     }
     if of_tests > 0 {
-        names.push(format!("{of_tests} calls of tests by same_bits"));
+        names.push(format!("{of_tests} calls of tests"));
     }
-    let pairs = |seen: &Seen| {
-        let counts = coverage::report(&done, seen, folder, Vec::new()).counts;
-        (counts.conditions.covered, counts.branches.covered, counts.statements.covered)
-    };
-    let (mut best, mut waited, mut tried) = (pairs(&seen), 0, 0);
-    while tried < sources.fill && waited < PATIENCE {
-        tried += 1;
-        add(&mut seen, &Inputs::Made { seed: tried })?;
-        let now = pairs(&seen);
-        waited = if now == best { waited + 1 } else { 0 };
-        best = now;
+    let mut found = 0;
+    for _ in 0..sources.fill {
+        for place in 0..search.targets.len() {
+            let lives = search.changed(place);
+            found += covered.add(&mut search, &lives)?;
+        }
     }
-    if tried > 0 {
-        names.push(format!("{tried} further seeds of --fill"));
+    if sources.fill > 0 {
+        names.push(format!(
+            "{found} sequences of calls, found by --fill in {} rounds",
+            sources.fill
+        ));
     }
-    Ok(coverage::report(&done, &seen, folder, names))
+    Ok(coverage::report(&done, &covered.seen, folder, names))
+}
+
+/// The program, and all that its runs have covered.
+struct Covered {
+    program: Program,
+    seen: Seen,
+}
+
+impl Covered {
+    /// Runs lives; those that reach something new are kept for the search. Returns their number.
+    fn add(&mut self, search: &mut Search<'_>, lives: &[Life]) -> Result<usize, Error> {
+        let seen = self.program.run(lives)?;
+        if !self.seen.lacks(&seen) {
+            return Ok(0);
+        }
+        if let [life] = lives {
+            self.seen.add(&seen);
+            search.keep(life);
+            return Ok(1);
+        }
+        let (one, other) = lives.split_at(lives.len() / 2);
+        Ok(self.add(search, one)? + self.add(search, other)?)
+    }
+
+    /// Runs the calls of a recording. Returns their number.
+    fn record(&mut self, search: &mut Search<'_>, inputs: &Inputs) -> Result<usize, Error> {
+        let Inputs::Recorded { entry, calls, .. } = inputs else { return Ok(0) };
+        let Some(target) = search.targets.iter().position(|it| it.id == *entry) else {
+            return Ok(0);
+        };
+        let calls: Vec<Vec<u64>> = calls.iter().map(|call| call.concat()).collect();
+        let count = calls.len();
+        self.add(search, &[Life { target, calls }])?;
+        Ok(count)
+    }
 }
 
 /// The instrumented C as a program.
@@ -123,7 +163,7 @@ impl Program {
         options: &Options,
         compiled: &Compiled,
         done: &Instrumented,
-        entries: &[FunctionId],
+        search: &Search<'_>,
         toolchain: &Toolchain,
     ) -> Result<Program, Error> {
         let failed = |said: String| Error::Compiler { name: toolchain.name(), said };
@@ -142,9 +182,10 @@ impl Program {
                 sources.push(path);
             }
         }
+        let params = |id: FunctionId| compiled.module.functions[id.index()].params;
         let taken: Vec<(FunctionId, u32)> =
-            entries.iter().map(|id| (*id, compiled.module.functions[id.index()].params)).collect();
-        let main = harness::programs_with(&compiled.explicit, &taken, options);
+            search.targets.iter().map(|it| (it.id, params(it.id))).collect();
+        let main = harness::lives(&compiled.explicit, &taken, options);
         let main = instrument::writing(&main);
         let main = main.ok_or_else(|| failed("the program has no `main`".to_owned()))?;
         let path = folder.path().join("covered_main.c");
@@ -160,16 +201,16 @@ impl Program {
         Ok(Program { folder, toolchain: toolchain.clone(), sizes })
     }
 
-    fn run(&self, cases: &[Case], entries: &[FunctionId]) -> Result<Seen, Error> {
+    fn run(&self, lives: &[Life]) -> Result<Seen, Error> {
         use std::io::{Seek, Write};
         let here = self.folder.path();
         let failed = |source| Error::File { path: here.to_owned(), source };
         let mut bytes = Vec::new();
-        for case in cases {
-            let place = entries.iter().position(|id| *id == case.id).unwrap_or_default() as u64;
-            for call in &case.calls {
-                bytes.extend(place.to_le_bytes());
-                call.iter().flatten().for_each(|word| bytes.extend(word.to_le_bytes()));
+        for life in lives {
+            for (at, call) in life.calls.iter().enumerate() {
+                bytes.extend((life.target as u64).to_le_bytes());
+                bytes.extend(u64::from(at == 0).to_le_bytes());
+                call.iter().for_each(|word| bytes.extend(word.to_le_bytes()));
             }
         }
         let mut file = tempfile::tempfile().map_err(failed)?;

@@ -11,6 +11,7 @@ mod lines;
 mod native;
 mod outputs;
 pub mod recording;
+mod search;
 
 use std::fmt::Write as _;
 use std::path::Path;

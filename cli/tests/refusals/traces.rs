@@ -127,6 +127,14 @@ pub const CASES: &[Case<'static>] = &[
         ..PLAIN
     },
     Case {
+        name: "reasons that are no table",
+        files: MAPPED,
+        words: &["dossier", "--reasons", "src/lib.rs"],
+        said: "`src/lib.rs`: the first line names no column `function`",
+        remedy: "pass CSV whose first line is `function,code,reason`",
+        ..PLAIN
+    },
+    Case {
         name: "inputs that are not there",
         files: MAPPED,
         words: &["dossier", "--inputs", "Motor::step=flight.csv"],

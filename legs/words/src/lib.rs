@@ -4,6 +4,8 @@
 
 use bessemer::Plain;
 
+pub mod record;
+
 /// Returns the words of a value.
 pub fn words(value: &impl Plain) -> Vec<u64> {
     let mut words = Vec::new();

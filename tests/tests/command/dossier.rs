@@ -30,7 +30,8 @@ pub fn run(package: &Path) {
     let folder = package.join("dossier");
     let source = package.join("src/lib.rs");
     let sound = fs::read_to_string(&source).expect("the model");
-    let (text, good) = dossier_of(package, &[]).unwrap_or_else(|error| panic!("{error}"));
+    let (text, good) =
+        dossier_of(package, &["--fill", "2"]).unwrap_or_else(|error| panic!("{error}"));
     assert!(good, "{text}");
     for check in
         ["Tests of the package: ", "Rust, interpreter and C agree: ", "Coverage of the C: "]
@@ -38,7 +39,7 @@ pub fn run(package: &Path) {
         assert!(text.contains(&format!("passed    {check}")), "{text}");
     }
     let page = fs::read_to_string(folder.join("index.html")).expect("the page");
-    for part in ["motor_step", "id=\"questions\"", "MC/DC", "closed"] {
+    for part in ["motor_step", "id=\"questions\"", "MC/DC", "closed", "by --fill in 2 rounds"] {
         assert!(page.contains(part), "the page has no {part}");
     }
     let here = package.to_string_lossy().into_owned();

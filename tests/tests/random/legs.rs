@@ -6,7 +6,7 @@
 use std::fmt;
 
 use bessemer_backend::c::names::FAULTS;
-use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::{FunctionId, Mode, Module, Owner, Type};
 use bessemer_tests::arguments::{Size, words};
@@ -219,7 +219,7 @@ pub fn in_c(
     let module = &compiled.module;
     let targets = cases.iter().flat_map(|case| &case.entries);
     let ids: Vec<_> = targets.map(|it| (it.id, module.functions[it.id.index()].params)).collect();
-    let main = harness::lives(&compiled.explicit, &ids);
+    let main = harness::lives(&compiled.explicit, &ids, &Options::default());
     let mut process = match Process::run(compiled, &main, toolchain, flags) {
         Ok(process) => process,
         Err(error) => {

@@ -6,6 +6,7 @@
 //! Must not know: how the C was run.
 
 pub mod instrument;
+pub mod reasons;
 
 use std::collections::BTreeMap;
 
@@ -32,6 +33,14 @@ impl Seen {
         }
         let flags = |bytes: &[u8]| bytes.iter().map(|it| *it != 0).collect();
         Some(Seen { ran: flags(&bytes[..points]), combinations: flags(&bytes[points..]) })
+    }
+
+    /// Returns true if another run did something that is not here.
+    pub fn lacks(&self, other: &Seen) -> bool {
+        let new = |own: &[bool], other: &[bool]| {
+            other.iter().enumerate().any(|(at, it)| *it && own.get(at) != Some(&true))
+        };
+        new(&self.ran, &other.ran) || new(&self.combinations, &other.combinations)
     }
 
     /// Adds what another run did.
@@ -126,7 +135,7 @@ pub struct OfFile {
 }
 
 /// A condition or a statement that was not covered.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Missing {
     /// Place in the C.
     pub place: String,
@@ -136,8 +145,12 @@ pub struct Missing {
     pub rust: String,
     /// Text of the decision or of the line.
     pub text: String,
+    /// Text of the condition; empty for a statement.
+    pub condition: String,
     /// Missing evaluation.
     pub why: String,
+    /// The author's reason why no test is needed, if there is one.
+    pub reason: String,
 }
 
 /// The report.
@@ -202,6 +215,7 @@ pub fn report(of: &Instrumented, seen: &Seen, folder: &Folder, inputs: Vec<Strin
                 } else {
                     "never runs".to_owned()
                 },
+                ..Missing::default()
             });
         }
     }
@@ -225,7 +239,9 @@ pub fn report(of: &Instrumented, seen: &Seen, folder: &Folder, inputs: Vec<Strin
                     function: observed.function.clone(),
                     rust: rust(&observed.file, line),
                     text: observed.text.clone(),
+                    condition: observed.conditions[at].clone(),
                     why: missing(observed, evaluations, at),
+                    ..Missing::default()
                 });
             }
         }

@@ -1,0 +1,245 @@
+//! A search for calls that raise the coverage. Known lives of a function are changed at random, and those that add
+//! something are changed again.
+//!
+//! Invariants: each life begins in the initial state, so that what it reaches can be reached; a seed gives the same lives
+//! each time. It must not know how the coverage is measured.
+
+use bessemer_ir::{FunctionId, Module, Role, Type};
+use bessemer_legs::arguments::{self, Numbers, Size};
+use bessemer_legs::random::Random;
+
+/// Number of calls of each function with edge values, in a sequence of small numbers, and in sequences around the
+/// constants of its code.
+const CALLS: usize = 100;
+/// Number of calls in one sequence around the constants.
+const LIFE: usize = 20;
+/// Number of changed lives of a function in one round.
+const BATCH: usize = 64;
+/// Number of calls of a recording whose beginning is changed: all calls are repeated for each change.
+const BEGINNING: usize = 200;
+/// Number of lives of a function that are kept for changes.
+const KEPT: usize = 256;
+
+/// Successive calls of a function, the first in the initial state.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Life {
+    /// Place of the function among the targets.
+    pub target: usize,
+    /// The words of the arguments of each call.
+    pub calls: Vec<Vec<u64>>,
+}
+
+/// A function that is called.
+pub struct Target {
+    /// The function.
+    pub id: FunctionId,
+    /// Each argument with its parts.
+    arguments: Vec<(Type, Vec<Type>)>,
+    numbers: Numbers,
+    /// Lives that reached something.
+    known: Vec<Life>,
+}
+
+/// Returns the entry points and the public functions of a module, without those that take slices.
+pub fn targets(module: &Module) -> Vec<Target> {
+    let ids = (0..module.functions.len()).map(|index| FunctionId(index as u32));
+    let called = |id: &FunctionId| {
+        let function = &module.functions[id.index()];
+        let role = matches!(function.role, Role::Entry { .. } | Role::Public);
+        let has_slice = function.parameters().iter().any(|it| matches!(it.ty, Type::Slice(_)));
+        role && !has_slice
+    };
+    ids.filter(called).map(|id| Target::of(module, id)).collect()
+}
+
+impl Target {
+    fn of(module: &Module, id: FunctionId) -> Target {
+        let function = &module.functions[id.index()];
+        let has_state = matches!(function.role, Role::Entry { .. });
+        let parameters = function.parameters().iter();
+        let taken = parameters.filter(|it| !(has_state && it.name == "self"));
+        let arguments = taken.map(|it| (it.ty.clone(), module.leaves(&it.ty))).collect();
+        Target { id, arguments, numbers: Numbers::of(module, id), known: Vec::new() }
+    }
+
+    fn call(&self, random: &mut Random, module: &Module, size: Size<'_>) -> Vec<u64> {
+        let made = |(ty, _): &(Type, Vec<Type>)| arguments::words(random, module, ty, size);
+        self.arguments.iter().flat_map(made).collect()
+    }
+
+    /// Changes some words of one argument of a call.
+    fn change(&self, random: &mut Random, module: &Module, call: &mut [u64]) {
+        if self.arguments.is_empty() {
+            return;
+        }
+        let chosen = random.below(self.arguments.len());
+        let before: usize = self.arguments[..chosen].iter().map(|it| it.1.len()).sum();
+        let (ty, leaves) = &self.arguments[chosen];
+        let value = &mut call[before..before + leaves.len()];
+        let size = random.of(&[Size::Edges, Size::Tame, Size::Near(&self.numbers)]);
+        arguments::change(random, module, ty, leaves, value, size);
+    }
+}
+
+/// The search.
+pub struct Search<'m> {
+    module: &'m Module,
+    random: Random,
+    /// The functions.
+    pub targets: Vec<Target>,
+}
+
+impl<'m> Search<'m> {
+    /// Begins a search.
+    pub fn new(module: &'m Module) -> Search<'m> {
+        Search { module, random: Random(0), targets: targets(module) }
+    }
+
+    /// Returns lives of all functions with edge values, small numbers and the constants of the code.
+    pub fn first(&mut self) -> Vec<Life> {
+        let Search { module, random, targets } = self;
+        let mut lives = Vec::new();
+        for (place, target) in targets.iter().enumerate() {
+            let near = Size::Near(&target.numbers);
+            for (size, count, length) in
+                [(Size::Edges, CALLS, 1), (Size::Tame, 1, CALLS), (near, CALLS / LIFE, LIFE)]
+            {
+                for _ in 0..count {
+                    let calls = (0..length).map(|_| target.call(random, module, size)).collect();
+                    lives.push(Life { target: place, calls });
+                }
+            }
+        }
+        lives
+    }
+
+    /// Keeps a life that reached something.
+    pub fn keep(&mut self, life: &Life) {
+        let Some(target) = self.targets.get_mut(life.target) else { return };
+        let calls = life.calls.iter().take(BEGINNING).cloned().collect();
+        if target.known.len() == KEPT {
+            target.known.remove(self.random.below(KEPT));
+        }
+        target.known.push(Life { target: life.target, calls });
+    }
+
+    /// Returns changed lives of one function.
+    pub fn changed(&mut self, place: usize) -> Vec<Life> {
+        let Search { module, random, targets } = self;
+        let target = &targets[place];
+        if target.arguments.is_empty() {
+            return Vec::new();
+        }
+        let changed = |_| {
+            let calls = match target.known.len() {
+                0 => vec![target.call(random, module, Size::Near(&target.numbers))],
+                // Every other time one of the last.
+                count => {
+                    let from = if random.one_in(2) { count.saturating_sub(8) } else { 0 };
+                    let one = &target.known[from + random.below(count - from)];
+                    let other = &target.known[random.below(count)];
+                    altered(random, module, target, one, other)
+                }
+            };
+            Life { target: place, calls }
+        };
+        (0..BATCH).map(changed).collect()
+    }
+}
+
+/// Returns the calls of a life with one to four changes.
+fn altered(
+    random: &mut Random,
+    module: &Module,
+    target: &Target,
+    life: &Life,
+    other: &Life,
+) -> Vec<Vec<u64>> {
+    let mut calls = life.calls.clone();
+    for _ in 0..=random.below(4) {
+        let at = random.below(calls.len().max(1));
+        match random.below(8) {
+            // Ends early, or goes on as another life does.
+            0 => calls.truncate(at + 1),
+            1 => {
+                calls.truncate(at + 1);
+                let from = random.below(other.calls.len().max(1));
+                calls.extend(other.calls.iter().skip(from).cloned());
+                calls.truncate(2 * BEGINNING);
+            }
+            // The last call again and again: time passes.
+            2 => {
+                let last = calls.last().cloned();
+                let count = random.of(&[1, 4, 16, 64]);
+                calls.extend(last.into_iter().flat_map(|it| std::iter::repeat_n(it, count)));
+                calls.truncate(2 * BEGINNING);
+            }
+            3 => {
+                calls.truncate(2 * BEGINNING - 1);
+                calls.push(target.call(random, module, Size::Near(&target.numbers)));
+            }
+            // A change of the last call, of one call, or of a call and all after it.
+            4 => {
+                if let Some(call) = calls.last_mut() {
+                    target.change(random, module, call);
+                }
+            }
+            5 => {
+                if let Some(call) = calls.get_mut(at) {
+                    target.change(random, module, call);
+                }
+            }
+            _ => {
+                let seed = random.bits();
+                for call in calls.iter_mut().skip(at) {
+                    target.change(&mut Random(seed), module, call);
+                }
+            }
+        }
+    }
+    calls
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn module() -> Module {
+        let text = include_str!("../../../codegen/backend/tests/c/height.ir");
+        bessemer_ir::text::parse(text).expect("it is a module")
+    }
+
+    #[test]
+    fn a_call_has_the_words_of_its_arguments_and_a_seed_gives_the_same_lives() {
+        let module = module();
+        let lives = || {
+            let mut search = Search::new(&module);
+            let first = search.first();
+            first.iter().for_each(|life| search.keep(life));
+            let changed: Vec<Life> =
+                (0..search.targets.len()).flat_map(|place| search.changed(place)).collect();
+            for life in first.iter().chain(&changed) {
+                let arguments = search.targets[life.target].arguments.iter();
+                let words: usize = arguments.map(|(_, leaves)| leaves.len()).sum();
+                assert!(life.calls.iter().all(|call| call.len() == words));
+                assert!(life.calls.len() <= 2 * BEGINNING);
+            }
+            (first, changed)
+        };
+        let (first, changed) = lives();
+        assert!(!first.is_empty() && changed.iter().any(|life| !first.contains(life)));
+        assert_eq!((first, changed), lives());
+    }
+
+    #[test]
+    fn the_lives_that_are_kept_are_bounded() {
+        let module = module();
+        let mut search = Search::new(&module);
+        let life = Life { target: 0, calls: vec![search.first()[0].calls[0].clone(); 1000] };
+        for _ in 0..2 * KEPT {
+            search.keep(&life);
+        }
+        let known = &search.targets[0].known;
+        assert!(known.len() == KEPT && known.iter().all(|life| life.calls.len() == BEGINNING));
+    }
+}

@@ -1,0 +1,60 @@
+//! Components whose calls are recorded for the coverage of a dossier.
+
+use std::ops::{Deref, DerefMut};
+
+use bessemer_words::record::Recorder;
+use models::gate::Gate;
+use models::packet::Packet;
+use models::receiver::Receiver;
+use models::siphash::Key;
+use models::trajectory::Space;
+use models::{Inputs, Onboard, Outputs, Settings};
+
+/// A component in its initial state, and its calls so far.
+pub struct Recorded<C> {
+    component: C,
+    recorder: Recorder,
+}
+
+impl<C: Default> Default for Recorded<C> {
+    fn default() -> Self {
+        Self { component: C::default(), recorder: Recorder::of::<C>("step") }
+    }
+}
+
+impl<C> Deref for Recorded<C> {
+    type Target = C;
+    fn deref(&self) -> &C {
+        &self.component
+    }
+}
+
+impl<C> DerefMut for Recorded<C> {
+    fn deref_mut(&mut self) -> &mut C {
+        &mut self.component
+    }
+}
+
+impl Recorded<Gate> {
+    #[allow(dead_code, reason = "each program has the components that it tests")]
+    pub fn step(&mut self, key: &Key, packet: &Packet) -> Packet {
+        self.recorder.call(|| (*key, *packet));
+        self.component.step(key, packet)
+    }
+}
+
+impl Recorded<Receiver> {
+    #[allow(dead_code, reason = "each program has the components that it tests")]
+    pub fn step(&mut self, period: f64, space: &Space, packet: &Packet) {
+        self.recorder.call(|| (period, *space, *packet));
+        self.component.step(period, space, packet);
+    }
+}
+
+impl Recorded<Onboard> {
+    #[allow(dead_code, reason = "each program has the components that it tests")]
+    pub fn step(&mut self, settings: &Settings, inputs: &Inputs) -> Outputs {
+        self.recorder.call(|| (*settings, *inputs));
+        self.component.step(settings, inputs)
+    }
+}
