@@ -13,8 +13,10 @@ use bessemer_legs::random::Random;
 const CALLS: usize = 100;
 /// Number of calls in one sequence around the constants.
 const LIFE: usize = 20;
-/// Number of changed lives of a function in one round.
+/// Number of changed lives of a function in one round, unless their words are more than [`MOST`].
 const BATCH: usize = 64;
+/// Number of words after which a round has enough lives of a function.
+const MOST: usize = 1 << 18;
 /// Number of calls of a recording whose beginning is changed: all calls are repeated for each change.
 const BEGINNING: usize = 200;
 /// Number of lives of a function that are kept for changes.
@@ -130,7 +132,8 @@ impl<'m> Search<'m> {
         if target.arguments.is_empty() {
             return Vec::new();
         }
-        let changed = |_| {
+        let (mut lives, mut words) = (Vec::new(), 0);
+        while lives.len() < BATCH && words < MOST {
             let calls = match target.known.len() {
                 0 => vec![target.call(random, module, Size::Near(&target.numbers))],
                 // Every other time one of the last.
@@ -141,9 +144,10 @@ impl<'m> Search<'m> {
                     altered(random, module, target, one, other)
                 }
             };
-            Life { target: place, calls }
-        };
-        (0..BATCH).map(changed).collect()
+            words += calls.iter().map(Vec::len).sum::<usize>();
+            lives.push(Life { target: place, calls });
+        }
+        lives
     }
 }
 
