@@ -98,76 +98,79 @@ static void attitude_filter_predicted(const double state[6], const double measur
     const double across = sin_state_2 * rates_0 - cos_state_2 * rates_1;
     const double across_d2 = rates_0 * cos_state_2 - rates_1 * slope_2;
     const double across_d3 = -sin_state_2;
-    const double roll_rate = fabs(cos_state_1);
-    double result_value;
-    double result_d1;
-    if (roll_rate < 0.01) {
-        const double result_2 = copysign_f64(0.01, cos_state_1);
-        result_value = result_2;
-        result_d1 = 0.0;
+    const double compared = fabs(cos_state_1);
+    double divisor;
+    double divisor_d1;
+    if (compared < 0.01) {
+        const double divisor_2 = copysign_f64(0.01, cos_state_1);
+        divisor = divisor_2;
+        divisor_d1 = 0.0;
     } else {
-        result_value = cos_state_1;
-        result_d1 = slope;
+        divisor = cos_state_1;
+        divisor_d1 = slope;
     }
-    const double result_2 = -along / result_value;
-    const double roll_rate_d1 = -(result_2 * result_d1) / result_value;
-    const double roll_rate_d2 = -along_d2 / result_value;
-    const double roll_rate_d3 = -along_d3 / result_value;
-    const double roll_rate_d4 = -along_d4 / result_value;
-    const double result_2_2 = sin_state_1 * result_2 - rates_2;
-    const double result_2_d1 = result_2 * cos_state_1 + sin_state_1 * roll_rate_d1;
-    const double result_2_d2 = sin_state_1 * roll_rate_d2;
-    const double result_2_d3 = sin_state_1 * roll_rate_d3;
-    const double result_2_d4 = sin_state_1 * roll_rate_d4;
-    const double next = state[0] + result_2 * period;
-    const double next_d1 = period * roll_rate_d1;
-    const double next_d2 = period * roll_rate_d2;
-    const double next_d3 = period * roll_rate_d3;
-    const double next_d4 = period * roll_rate_d4;
-    const double next_2 = state[1] + across * period;
-    const double next_d2_2 = period * across_d2;
-    const double next_d3_2 = period * across_d3;
-    const double next_d4_2 = period * cos_state_2;
-    const double next_3 = state[2] + result_2_2 * period;
-    const double next_d1_2 = period * result_2_d1;
-    const double next_d2_3 = 1.0 + period * result_2_d2;
-    const double next_d3_3 = period * result_2_d3;
-    const double next_d4_3 = period * result_2_d4;
+    const double roll_rate = -along / divisor;
+    const double roll_rate_d1 = -(roll_rate * divisor_d1) / divisor;
+    const double roll_rate_d2 = -along_d2 / divisor;
+    const double roll_rate_d3 = -along_d3 / divisor;
+    const double roll_rate_d4 = -along_d4 / divisor;
+    const double angle_rates_2 = sin_state_1 * roll_rate - rates_2;
+    const double angle_rates_2_d1 = roll_rate * cos_state_1 + sin_state_1 * roll_rate_d1;
+    const double angle_rates_2_d2 = sin_state_1 * roll_rate_d2;
+    const double angle_rates_2_d3 = sin_state_1 * roll_rate_d3;
+    const double angle_rates_2_d4 = sin_state_1 * roll_rate_d4;
+    const double next_0 = state[0] + roll_rate * period;
+    const double next_0_d1 = period * roll_rate_d1;
+    const double next_0_d2 = period * roll_rate_d2;
+    const double next_0_d3 = period * roll_rate_d3;
+    const double next_0_d4 = period * roll_rate_d4;
+    const double next_1 = state[1] + across * period;
+    const double next_1_d2 = period * across_d2;
+    const double next_1_d3 = period * across_d3;
+    const double next_1_d4 = period * cos_state_2;
+    const double next_2 = state[2] + angle_rates_2 * period;
+    const double next_2_d1 = period * angle_rates_2_d1;
+    const double next_2_d2 = 1.0 + period * angle_rates_2_d2;
+    const double next_2_d3 = period * angle_rates_2_d3;
+    const double next_2_d4 = period * angle_rates_2_d4;
     const double row_0_0 = covariance->elements[0 + 6 * 0]
-        + next_d1 * covariance->elements[1 + 6 * 0] + next_d2 * covariance->elements[2 + 6 * 0]
-        + next_d3 * covariance->elements[3 + 6 * 0] + next_d4 * covariance->elements[4 + 6 * 0];
+        + next_0_d1 * covariance->elements[1 + 6 * 0] + next_0_d2 * covariance->elements[2 + 6 * 0]
+        + next_0_d3 * covariance->elements[3 + 6 * 0]
+        + next_0_d4 * covariance->elements[4 + 6 * 0];
     const double row_0_1 = covariance->elements[0 + 6 * 1]
-        + next_d1 * covariance->elements[1 + 6 * 1] + next_d2 * covariance->elements[2 + 6 * 1]
-        + next_d3 * covariance->elements[3 + 6 * 1] + next_d4 * covariance->elements[4 + 6 * 1];
+        + next_0_d1 * covariance->elements[1 + 6 * 1] + next_0_d2 * covariance->elements[2 + 6 * 1]
+        + next_0_d3 * covariance->elements[3 + 6 * 1]
+        + next_0_d4 * covariance->elements[4 + 6 * 1];
     const double row_0_2 = covariance->elements[0 + 6 * 2]
-        + next_d1 * covariance->elements[1 + 6 * 2] + next_d2 * covariance->elements[2 + 6 * 2]
-        + next_d3 * covariance->elements[3 + 6 * 2] + next_d4 * covariance->elements[4 + 6 * 2];
+        + next_0_d1 * covariance->elements[1 + 6 * 2] + next_0_d2 * covariance->elements[2 + 6 * 2]
+        + next_0_d3 * covariance->elements[3 + 6 * 2]
+        + next_0_d4 * covariance->elements[4 + 6 * 2];
     const double row_1_1 = covariance->elements[1 + 6 * 1]
-        + next_d2_2 * covariance->elements[2 + 6 * 1] + next_d3_2 * covariance->elements[3 + 6 * 1]
-        + next_d4_2 * covariance->elements[4 + 6 * 1];
+        + next_1_d2 * covariance->elements[2 + 6 * 1] + next_1_d3 * covariance->elements[3 + 6 * 1]
+        + next_1_d4 * covariance->elements[4 + 6 * 1];
     const double row_1_2 = covariance->elements[1 + 6 * 2]
-        + next_d2_2 * covariance->elements[2 + 6 * 2] + next_d3_2 * covariance->elements[3 + 6 * 2]
-        + next_d4_2 * covariance->elements[4 + 6 * 2];
-    const double row_2_1 = next_d2_3 * covariance->elements[2 + 6 * 1]
-        + next_d1_2 * covariance->elements[1 + 6 * 1] + next_d3_3 * covariance->elements[3 + 6 * 1]
-        + next_d4_3 * covariance->elements[4 + 6 * 1] + period * covariance->elements[5 + 6 * 1];
-    const double row_2_2 = next_d2_3 * covariance->elements[2 + 6 * 2]
-        + next_d1_2 * covariance->elements[1 + 6 * 2] + next_d3_3 * covariance->elements[3 + 6 * 2]
-        + next_d4_3 * covariance->elements[4 + 6 * 2] + period * covariance->elements[5 + 6 * 2];
+        + next_1_d2 * covariance->elements[2 + 6 * 2] + next_1_d3 * covariance->elements[3 + 6 * 2]
+        + next_1_d4 * covariance->elements[4 + 6 * 2];
+    const double row_2_1 = next_2_d2 * covariance->elements[2 + 6 * 1]
+        + next_2_d1 * covariance->elements[1 + 6 * 1] + next_2_d3 * covariance->elements[3 + 6 * 1]
+        + next_2_d4 * covariance->elements[4 + 6 * 1] + period * covariance->elements[5 + 6 * 1];
+    const double row_2_2 = next_2_d2 * covariance->elements[2 + 6 * 2]
+        + next_2_d1 * covariance->elements[1 + 6 * 2] + next_2_d3 * covariance->elements[3 + 6 * 2]
+        + next_2_d4 * covariance->elements[4 + 6 * 2] + period * covariance->elements[5 + 6 * 2];
     for (uint32_t k = 3U; k < 6U; k++) {
         const double row_0 = covariance->elements[0U + 6U * k]
-            + next_d1 * covariance->elements[1U + 6U * k]
-            + next_d2 * covariance->elements[2U + 6U * k]
-            + next_d3 * covariance->elements[3U + 6U * k]
-            + next_d4 * covariance->elements[4U + 6U * k];
+            + next_0_d1 * covariance->elements[1U + 6U * k]
+            + next_0_d2 * covariance->elements[2U + 6U * k]
+            + next_0_d3 * covariance->elements[3U + 6U * k]
+            + next_0_d4 * covariance->elements[4U + 6U * k];
         const double row_1 = covariance->elements[1U + 6U * k]
-            + next_d2_2 * covariance->elements[2U + 6U * k]
-            + next_d3_2 * covariance->elements[3U + 6U * k]
-            + next_d4_2 * covariance->elements[4U + 6U * k];
-        const double row_2 = next_d2_3 * covariance->elements[2U + 6U * k]
-            + next_d1_2 * covariance->elements[1U + 6U * k]
-            + next_d3_3 * covariance->elements[3U + 6U * k]
-            + next_d4_3 * covariance->elements[4U + 6U * k]
+            + next_1_d2 * covariance->elements[2U + 6U * k]
+            + next_1_d3 * covariance->elements[3U + 6U * k]
+            + next_1_d4 * covariance->elements[4U + 6U * k];
+        const double row_2 = next_2_d2 * covariance->elements[2U + 6U * k]
+            + next_2_d1 * covariance->elements[1U + 6U * k]
+            + next_2_d3 * covariance->elements[3U + 6U * k]
+            + next_2_d4 * covariance->elements[4U + 6U * k]
             + period * covariance->elements[5U + 6U * k];
         covariance->elements[0U + 6U * k] = row_0;
         covariance->elements[k + 6U * 0U] = row_0;
@@ -176,35 +179,36 @@ static void attitude_filter_predicted(const double state[6], const double measur
         covariance->elements[2U + 6U * k] = row_2;
         covariance->elements[k + 6U * 2U] = row_2;
     }
-    const double block_0_0 = row_0_0 + next_d1 * row_0_1 + next_d2 * row_0_2
-        + next_d3 * covariance->elements[0 + 6 * 3] + next_d4 * covariance->elements[0 + 6 * 4];
+    const double block_0_0 = row_0_0 + next_0_d1 * row_0_1 + next_0_d2 * row_0_2
+        + next_0_d3 * covariance->elements[0 + 6 * 3]
+        + next_0_d4 * covariance->elements[0 + 6 * 4];
     covariance->elements[0 + 6 * 0] = block_0_0;
-    const double block_1_0 = row_0_1 + next_d2_2 * row_0_2
-        + next_d3_2 * covariance->elements[0 + 6 * 3]
-        + next_d4_2 * covariance->elements[0 + 6 * 4];
+    const double block_1_0 = row_0_1 + next_1_d2 * row_0_2
+        + next_1_d3 * covariance->elements[0 + 6 * 3]
+        + next_1_d4 * covariance->elements[0 + 6 * 4];
     covariance->elements[1 + 6 * 0] = block_1_0;
     covariance->elements[0 + 6 * 1] = block_1_0;
-    const double block_1_1 = row_1_1 + next_d2_2 * row_1_2
-        + next_d3_2 * covariance->elements[1 + 6 * 3]
-        + next_d4_2 * covariance->elements[1 + 6 * 4];
+    const double block_1_1 = row_1_1 + next_1_d2 * row_1_2
+        + next_1_d3 * covariance->elements[1 + 6 * 3]
+        + next_1_d4 * covariance->elements[1 + 6 * 4];
     covariance->elements[1 + 6 * 1] = block_1_1;
-    const double block_2_0 = next_d2_3 * row_0_2 + next_d1_2 * row_0_1
-        + next_d3_3 * covariance->elements[0 + 6 * 3] + next_d4_3 * covariance->elements[0 + 6 * 4]
+    const double block_2_0 = next_2_d2 * row_0_2 + next_2_d1 * row_0_1
+        + next_2_d3 * covariance->elements[0 + 6 * 3] + next_2_d4 * covariance->elements[0 + 6 * 4]
         + period * covariance->elements[0 + 6 * 5];
     covariance->elements[2 + 6 * 0] = block_2_0;
     covariance->elements[0 + 6 * 2] = block_2_0;
-    const double block_2_1 = next_d2_3 * row_1_2 + next_d1_2 * row_1_1
-        + next_d3_3 * covariance->elements[1 + 6 * 3] + next_d4_3 * covariance->elements[1 + 6 * 4]
+    const double block_2_1 = next_2_d2 * row_1_2 + next_2_d1 * row_1_1
+        + next_2_d3 * covariance->elements[1 + 6 * 3] + next_2_d4 * covariance->elements[1 + 6 * 4]
         + period * covariance->elements[1 + 6 * 5];
     covariance->elements[2 + 6 * 1] = block_2_1;
     covariance->elements[1 + 6 * 2] = block_2_1;
-    const double block_2_2 = next_d2_3 * row_2_2 + next_d1_2 * row_2_1
-        + next_d3_3 * covariance->elements[2 + 6 * 3] + next_d4_3 * covariance->elements[2 + 6 * 4]
+    const double block_2_2 = next_2_d2 * row_2_2 + next_2_d1 * row_2_1
+        + next_2_d3 * covariance->elements[2 + 6 * 3] + next_2_d4 * covariance->elements[2 + 6 * 4]
         + period * covariance->elements[2 + 6 * 5];
     covariance->elements[2 + 6 * 2] = block_2_2;
-    result[0] = next;
-    result[1] = next_2;
-    result[2] = next_3;
+    result[0] = next_0;
+    result[1] = next_1;
+    result[2] = next_2;
     result[3] = state[3];
     result[4] = state[4];
     result[5] = state[5];

@@ -79,10 +79,10 @@ impl AttitudeFilter {
 fn advanced(state: &Vector6<f64>, measured: &Vector3<f64>, period: f64) -> Vector6<f64> {
     let orientation = Orientation::of(&Vector3::new(state[0], state[1], state[2]));
     let rates = measured - Vector3::new(state[3], state[4], state[5]);
-    let turn = orientation.angle_rates(&rates);
+    let angle_rates = orientation.angle_rates(&rates);
     let mut next = *state;
     for n in 0..3 {
-        next[n] += turn[n] * period;
+        next[n] += angle_rates[n] * period;
     }
     next
 }
@@ -111,88 +111,88 @@ fn predicted(
     let across = sin_state_2 * rates_0 - cos_state_2 * rates_1;
     let across_d2 = rates_0 * cos_state_2 - rates_1 * slope_2;
     let across_d3 = -sin_state_2;
-    let roll_rate = cos_state_1.abs();
-    let result: f64;
-    let result_d1: f64;
-    if roll_rate < 0.01 {
-        let result_2 = (0.01).copysign(cos_state_1);
-        result = result_2;
-        result_d1 = 0.0;
+    let compared = cos_state_1.abs();
+    let divisor: f64;
+    let divisor_d1: f64;
+    if compared < 0.01 {
+        let divisor_2 = (0.01).copysign(cos_state_1);
+        divisor = divisor_2;
+        divisor_d1 = 0.0;
     } else {
-        result = cos_state_1;
-        result_d1 = slope;
+        divisor = cos_state_1;
+        divisor_d1 = slope;
     }
-    let result_2 = -along / result;
-    let roll_rate_d1 = -(result_2 * result_d1) / result;
-    let roll_rate_d2 = -along_d2 / result;
-    let roll_rate_d3 = -along_d3 / result;
-    let roll_rate_d4 = -along_d4 / result;
-    let result_2_2 = sin_state_1 * result_2 - rates_2;
-    let result_2_d1 = result_2 * cos_state_1 + sin_state_1 * roll_rate_d1;
-    let result_2_d2 = sin_state_1 * roll_rate_d2;
-    let result_2_d3 = sin_state_1 * roll_rate_d3;
-    let result_2_d4 = sin_state_1 * roll_rate_d4;
-    let next = state[0] + result_2 * period;
-    let next_d1 = period * roll_rate_d1;
-    let next_d2 = period * roll_rate_d2;
-    let next_d3 = period * roll_rate_d3;
-    let next_d4 = period * roll_rate_d4;
-    let next_2 = state[1] + across * period;
-    let next_d2_2 = period * across_d2;
-    let next_d3_2 = period * across_d3;
-    let next_d4_2 = period * cos_state_2;
-    let next_3 = state[2] + result_2_2 * period;
-    let next_d1_2 = period * result_2_d1;
-    let next_d2_3 = 1.0 + period * result_2_d2;
-    let next_d3_3 = period * result_2_d3;
-    let next_d4_3 = period * result_2_d4;
+    let roll_rate = -along / divisor;
+    let roll_rate_d1 = -(roll_rate * divisor_d1) / divisor;
+    let roll_rate_d2 = -along_d2 / divisor;
+    let roll_rate_d3 = -along_d3 / divisor;
+    let roll_rate_d4 = -along_d4 / divisor;
+    let angle_rates_2 = sin_state_1 * roll_rate - rates_2;
+    let angle_rates_2_d1 = roll_rate * cos_state_1 + sin_state_1 * roll_rate_d1;
+    let angle_rates_2_d2 = sin_state_1 * roll_rate_d2;
+    let angle_rates_2_d3 = sin_state_1 * roll_rate_d3;
+    let angle_rates_2_d4 = sin_state_1 * roll_rate_d4;
+    let next_0 = state[0] + roll_rate * period;
+    let next_0_d1 = period * roll_rate_d1;
+    let next_0_d2 = period * roll_rate_d2;
+    let next_0_d3 = period * roll_rate_d3;
+    let next_0_d4 = period * roll_rate_d4;
+    let next_1 = state[1] + across * period;
+    let next_1_d2 = period * across_d2;
+    let next_1_d3 = period * across_d3;
+    let next_1_d4 = period * cos_state_2;
+    let next_2 = state[2] + angle_rates_2 * period;
+    let next_2_d1 = period * angle_rates_2_d1;
+    let next_2_d2 = 1.0 + period * angle_rates_2_d2;
+    let next_2_d3 = period * angle_rates_2_d3;
+    let next_2_d4 = period * angle_rates_2_d4;
     let row_0_0 = covariance.elements[(0, 0)]
-        + next_d1 * covariance.elements[(1, 0)]
-        + next_d2 * covariance.elements[(2, 0)]
-        + next_d3 * covariance.elements[(3, 0)]
-        + next_d4 * covariance.elements[(4, 0)];
+        + next_0_d1 * covariance.elements[(1, 0)]
+        + next_0_d2 * covariance.elements[(2, 0)]
+        + next_0_d3 * covariance.elements[(3, 0)]
+        + next_0_d4 * covariance.elements[(4, 0)];
     let row_0_1 = covariance.elements[(0, 1)]
-        + next_d1 * covariance.elements[(1, 1)]
-        + next_d2 * covariance.elements[(2, 1)]
-        + next_d3 * covariance.elements[(3, 1)]
-        + next_d4 * covariance.elements[(4, 1)];
+        + next_0_d1 * covariance.elements[(1, 1)]
+        + next_0_d2 * covariance.elements[(2, 1)]
+        + next_0_d3 * covariance.elements[(3, 1)]
+        + next_0_d4 * covariance.elements[(4, 1)];
     let row_0_2 = covariance.elements[(0, 2)]
-        + next_d1 * covariance.elements[(1, 2)]
-        + next_d2 * covariance.elements[(2, 2)]
-        + next_d3 * covariance.elements[(3, 2)]
-        + next_d4 * covariance.elements[(4, 2)];
+        + next_0_d1 * covariance.elements[(1, 2)]
+        + next_0_d2 * covariance.elements[(2, 2)]
+        + next_0_d3 * covariance.elements[(3, 2)]
+        + next_0_d4 * covariance.elements[(4, 2)];
     let row_1_1 = covariance.elements[(1, 1)]
-        + next_d2_2 * covariance.elements[(2, 1)]
-        + next_d3_2 * covariance.elements[(3, 1)]
-        + next_d4_2 * covariance.elements[(4, 1)];
+        + next_1_d2 * covariance.elements[(2, 1)]
+        + next_1_d3 * covariance.elements[(3, 1)]
+        + next_1_d4 * covariance.elements[(4, 1)];
     let row_1_2 = covariance.elements[(1, 2)]
-        + next_d2_2 * covariance.elements[(2, 2)]
-        + next_d3_2 * covariance.elements[(3, 2)]
-        + next_d4_2 * covariance.elements[(4, 2)];
-    let row_2_1 = next_d2_3 * covariance.elements[(2, 1)]
-        + next_d1_2 * covariance.elements[(1, 1)]
-        + next_d3_3 * covariance.elements[(3, 1)]
-        + next_d4_3 * covariance.elements[(4, 1)]
+        + next_1_d2 * covariance.elements[(2, 2)]
+        + next_1_d3 * covariance.elements[(3, 2)]
+        + next_1_d4 * covariance.elements[(4, 2)];
+    let row_2_1 = next_2_d2 * covariance.elements[(2, 1)]
+        + next_2_d1 * covariance.elements[(1, 1)]
+        + next_2_d3 * covariance.elements[(3, 1)]
+        + next_2_d4 * covariance.elements[(4, 1)]
         + period * covariance.elements[(5, 1)];
-    let row_2_2 = next_d2_3 * covariance.elements[(2, 2)]
-        + next_d1_2 * covariance.elements[(1, 2)]
-        + next_d3_3 * covariance.elements[(3, 2)]
-        + next_d4_3 * covariance.elements[(4, 2)]
+    let row_2_2 = next_2_d2 * covariance.elements[(2, 2)]
+        + next_2_d1 * covariance.elements[(1, 2)]
+        + next_2_d3 * covariance.elements[(3, 2)]
+        + next_2_d4 * covariance.elements[(4, 2)]
         + period * covariance.elements[(5, 2)];
     for k in 3..6 {
         let row_0 = covariance.elements[(0, k)]
-            + next_d1 * covariance.elements[(1, k)]
-            + next_d2 * covariance.elements[(2, k)]
-            + next_d3 * covariance.elements[(3, k)]
-            + next_d4 * covariance.elements[(4, k)];
+            + next_0_d1 * covariance.elements[(1, k)]
+            + next_0_d2 * covariance.elements[(2, k)]
+            + next_0_d3 * covariance.elements[(3, k)]
+            + next_0_d4 * covariance.elements[(4, k)];
         let row_1 = covariance.elements[(1, k)]
-            + next_d2_2 * covariance.elements[(2, k)]
-            + next_d3_2 * covariance.elements[(3, k)]
-            + next_d4_2 * covariance.elements[(4, k)];
-        let row_2 = next_d2_3 * covariance.elements[(2, k)]
-            + next_d1_2 * covariance.elements[(1, k)]
-            + next_d3_3 * covariance.elements[(3, k)]
-            + next_d4_3 * covariance.elements[(4, k)]
+            + next_1_d2 * covariance.elements[(2, k)]
+            + next_1_d3 * covariance.elements[(3, k)]
+            + next_1_d4 * covariance.elements[(4, k)];
+        let row_2 = next_2_d2 * covariance.elements[(2, k)]
+            + next_2_d1 * covariance.elements[(1, k)]
+            + next_2_d3 * covariance.elements[(3, k)]
+            + next_2_d4 * covariance.elements[(4, k)]
             + period * covariance.elements[(5, k)];
         covariance.elements[(0, k)] = row_0;
         covariance.elements[(k, 0)] = row_0;
@@ -202,41 +202,41 @@ fn predicted(
         covariance.elements[(k, 2)] = row_2;
     }
     let block_0_0 = row_0_0
-        + next_d1 * row_0_1
-        + next_d2 * row_0_2
-        + next_d3 * covariance.elements[(0, 3)]
-        + next_d4 * covariance.elements[(0, 4)];
+        + next_0_d1 * row_0_1
+        + next_0_d2 * row_0_2
+        + next_0_d3 * covariance.elements[(0, 3)]
+        + next_0_d4 * covariance.elements[(0, 4)];
     covariance.elements[(0, 0)] = block_0_0;
     let block_1_0 = row_0_1
-        + next_d2_2 * row_0_2
-        + next_d3_2 * covariance.elements[(0, 3)]
-        + next_d4_2 * covariance.elements[(0, 4)];
+        + next_1_d2 * row_0_2
+        + next_1_d3 * covariance.elements[(0, 3)]
+        + next_1_d4 * covariance.elements[(0, 4)];
     covariance.elements[(1, 0)] = block_1_0;
     covariance.elements[(0, 1)] = block_1_0;
     let block_1_1 = row_1_1
-        + next_d2_2 * row_1_2
-        + next_d3_2 * covariance.elements[(1, 3)]
-        + next_d4_2 * covariance.elements[(1, 4)];
+        + next_1_d2 * row_1_2
+        + next_1_d3 * covariance.elements[(1, 3)]
+        + next_1_d4 * covariance.elements[(1, 4)];
     covariance.elements[(1, 1)] = block_1_1;
-    let block_2_0 = next_d2_3 * row_0_2
-        + next_d1_2 * row_0_1
-        + next_d3_3 * covariance.elements[(0, 3)]
-        + next_d4_3 * covariance.elements[(0, 4)]
+    let block_2_0 = next_2_d2 * row_0_2
+        + next_2_d1 * row_0_1
+        + next_2_d3 * covariance.elements[(0, 3)]
+        + next_2_d4 * covariance.elements[(0, 4)]
         + period * covariance.elements[(0, 5)];
     covariance.elements[(2, 0)] = block_2_0;
     covariance.elements[(0, 2)] = block_2_0;
-    let block_2_1 = next_d2_3 * row_1_2
-        + next_d1_2 * row_1_1
-        + next_d3_3 * covariance.elements[(1, 3)]
-        + next_d4_3 * covariance.elements[(1, 4)]
+    let block_2_1 = next_2_d2 * row_1_2
+        + next_2_d1 * row_1_1
+        + next_2_d3 * covariance.elements[(1, 3)]
+        + next_2_d4 * covariance.elements[(1, 4)]
         + period * covariance.elements[(1, 5)];
     covariance.elements[(2, 1)] = block_2_1;
     covariance.elements[(1, 2)] = block_2_1;
-    let block_2_2 = next_d2_3 * row_2_2
-        + next_d1_2 * row_2_1
-        + next_d3_3 * covariance.elements[(2, 3)]
-        + next_d4_3 * covariance.elements[(2, 4)]
+    let block_2_2 = next_2_d2 * row_2_2
+        + next_2_d1 * row_2_1
+        + next_2_d3 * covariance.elements[(2, 3)]
+        + next_2_d4 * covariance.elements[(2, 4)]
         + period * covariance.elements[(2, 5)];
     covariance.elements[(2, 2)] = block_2_2;
-    vector![next, next_2, next_3, state[3], state[4], state[5]]
+    vector![next_0, next_1, next_2, state[3], state[4], state[5]]
 }

@@ -5,6 +5,8 @@
 
 mod shared;
 
+use std::collections::BTreeSet;
+
 use shared::{files, root};
 
 /// The file of the counts.
@@ -47,12 +49,15 @@ fn declared(line: &str) -> Option<Declared<'_>> {
     Some(Declared { name: name.trim_start_matches('*'), value, constant: words[0] == "const" })
 }
 
-/// Returns true if a number at the end of a name tells it from others.
-fn is_numbered(name: &str) -> bool {
+/// Returns true if a number at the end of a name distinguishes it from another. Then the name without it is among the
+/// words of the file, and the name with 0 is not: otherwise the number is the index of an element.
+fn is_numbered(name: &str, words: &BTreeSet<&str>) -> bool {
     name.rsplit_once('_').is_some_and(|(stem, number)| {
         number.len() == 1
             && number.as_bytes()[0].is_ascii_digit()
             && stem.ends_with(|c: char| c.is_ascii_lowercase())
+            && words.contains(stem)
+            && !words.contains(format!("{stem}_0").as_str())
     })
 }
 
@@ -69,15 +74,19 @@ fn casts_of_casts(line: &str) -> usize {
     pairs.map(|types| line.matches(pair(types).as_str()).count()).sum()
 }
 
-/// Counts everything in the lines of C.
-fn counts<'l>(lines: impl Iterator<Item = &'l str>) -> [(&'static str, usize); 4] {
+/// Counts everything in files of C.
+fn counts<'t>(texts: impl Iterator<Item = &'t str>) -> [(&'static str, usize); 4] {
     let [mut numbered, mut vague, mut renamed, mut casts] = [0; 4];
-    for line in lines {
-        casts += casts_of_casts(line);
-        let Some(Declared { name, value, constant }) = declared(line) else { continue };
-        numbered += usize::from(is_numbered(name));
-        vague += usize::from(VAGUE.iter().any(|ending| name.ends_with(ending)));
-        renamed += usize::from(constant && value.is_some_and(is_alone));
+    for text in texts {
+        let words: BTreeSet<&str> =
+            text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').collect();
+        for line in text.lines() {
+            casts += casts_of_casts(line);
+            let Some(Declared { name, value, constant }) = declared(line) else { continue };
+            numbered += usize::from(is_numbered(name, &words));
+            vague += usize::from(VAGUE.iter().any(|ending| name.ends_with(ending)));
+            renamed += usize::from(constant && value.is_some_and(is_alone));
+        }
     }
     [
         ("variables whose name is numbered", numbered),
@@ -94,7 +103,7 @@ fn each_count_of_the_models_only_falls() {
         let is_c =
             |path: &str| path.starts_with(folder) && (path.ends_with(".c") || path.ends_with(".h"));
         let files = all.iter().filter(move |file| is_c(&file.path));
-        counts(files.flat_map(|file| file.text.lines()))
+        counts(files.map(|file| file.text.as_str()))
     };
     let (models, corpus) = (of("generated/"), of("tests/corpus/golden/"));
     let path = root().join(COUNTS);
@@ -121,7 +130,9 @@ fn each_count_of_the_models_only_falls() {
 
 #[test]
 fn what_counts() {
-    let c = "    const uint32_t index = others_taken;\n\
+    let c = "    rates[row] = next_0;\n\
+             \x20   const double next_1 = 0.0;\n\
+             \x20   const uint32_t index = others_taken;\n\
              \x20   double rates_2[3];\n\
              \x20   for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {\n\
              \x20       double *const kept_part = &work[36];\n\
@@ -129,6 +140,6 @@ fn what_counts() {
              \x20       return value_2;\n\
              product_f64_3x3_3x3(a, b, c);\n\
              static const double table_6x6[36] = {\n";
-    let counts = counts(c.lines()).map(|(_, count)| count);
+    let counts = counts([c].into_iter()).map(|(_, count)| count);
     assert_eq!(counts, [2, 1, 1, 1]);
 }

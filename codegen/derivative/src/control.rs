@@ -106,7 +106,8 @@ impl Run<'_> {
                     }
                     env.result = match value {
                         Some(value) => {
-                            self.name.clone_from(&frame.function.result_name);
+                            let own = &frame.function.result_name;
+                            self.name = self.result_name.clone().unwrap_or_else(|| own.clone());
                             let value = self.value(frame, env, value)?;
                             let name = self.name.clone();
                             Some(self.held(value, &name))
@@ -118,6 +119,7 @@ impl Run<'_> {
                 StmtKind::Break => return self.leave(frame, env, Leave::Break, rest, stop),
                 StmtKind::Continue => return self.leave(frame, env, Leave::Continue, rest, stop),
                 StmtKind::If { condition, then, otherwise } => {
+                    self.name = "compared".to_owned();
                     let condition = self.scalar(frame, env, condition)?;
                     if let Some(known) = literal(&condition) {
                         let block = if known != 0 { then } else { otherwise };
@@ -199,8 +201,10 @@ impl Run<'_> {
                     let name = frame.function.local(place.root).name.clone();
                     self.name.clone_from(&name);
                     let value = self.value(frame, env, value)?;
-                    let value = self.held(value, &name);
                     let route = self.route(frame, env, place)?;
+                    let name =
+                        self.named(name, &frame.function.local(place.root).ty, place, &route);
+                    let value = self.held(value, &name);
                     self.write(env, &route, value, stmt.span)?;
                 }
                 StmtKind::Expr(expr) => {

@@ -218,6 +218,12 @@ impl Run<'_> {
         span: Span,
     ) -> Result<Value> {
         let compared = std::mem::take(&mut self.compared);
+        // A number, vector or matrix is named after its function, a struct after the value that the call is for.
+        let name = match function.result {
+            Type::Struct(_) => self.name.clone(),
+            _ => function.name.clone(),
+        };
+        let outer = (self.result_name.replace(name), self.name.clone());
         let mut inner = inner;
         let inner = match self.factored(function, (&mut inner, span)) {
             Ok(Some(result)) => Ok(Env { result: Some(result), ..inner }),
@@ -225,6 +231,7 @@ impl Run<'_> {
             Err(problem) => Err(problem),
         };
         self.compared = compared;
+        (self.result_name, self.name) = outer;
         let inner = inner.map_err(|problem| match problem.span.file {
             // A place in another file is of no help; the call is.
             file if file != span.file => Problem { span, ..problem },

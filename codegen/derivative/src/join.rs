@@ -58,7 +58,9 @@ impl Run<'_> {
             let returned = open.iter().map(|at| sides[*at].1.result.take());
             // A side without a result ends later; the statements behind are then in the other side.
             if let Some(values) = returned.collect::<Option<Vec<Value>>>() {
-                let of = (frame.function.result_name.as_str(), &frame.function.result);
+                let name = self.result_name.clone();
+                let name = name.as_deref().unwrap_or(&frame.function.result_name);
+                let of = (name, &frame.function.result);
                 let mut open = Open { branch, at: &open, sides: &mut sides };
                 joined.result = Some(self.joined(of, values, &mut open)?);
             }

@@ -38,6 +38,27 @@ fn outside(span: Span) -> Problem {
 }
 
 impl Run<'_> {
+    /// Returns the name of a place: that of its variable with its fields and known indices.
+    pub fn named(&self, name: String, ty: &Type, place: &Place, route: &Route) -> String {
+        let before = route.steps.len().saturating_sub(place.steps.len());
+        let (mut name, mut ty) = (name, ty.clone());
+        for (step, hop) in place.steps.iter().zip(&route.steps[before..]) {
+            let more = match (step, hop, &ty) {
+                (Step::Field(field), _, Type::Struct(id)) => {
+                    let fields = &self.module.structs[id.index()].fields;
+                    fields.get(*field as usize).map(|it| it.name.clone())
+                }
+                (_, Hop::Part(at), _) => Some(at.to_string()),
+                _ => None,
+            };
+            if let Some(more) = more {
+                name = format!("{name}_{more}");
+            }
+            ty = self.module.step_type(&ty, step).unwrap_or(Type::Unit);
+        }
+        name
+    }
+
     /// Evaluates the indices of a place.
     pub fn route(&mut self, frame: Frame<'_>, env: &mut Env, place: &Place) -> Result<Route> {
         let root = frame.function.local(place.root);

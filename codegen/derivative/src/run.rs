@@ -56,6 +56,8 @@ pub struct Run<'m> {
     pub compared: u32,
     /// Name for the next values.
     pub name: String,
+    /// Name for the result of the function that is evaluated, if its call has one.
+    pub result_name: Option<String>,
     /// Calls of elementary functions in the blocks around, with their values.
     pub calls: Vec<(Expr, Expr)>,
     /// True if a way backwards follows, so that matrices are evaluated by elements.
@@ -81,6 +83,7 @@ impl<'m> Run<'m> {
             steps: 0,
             compared: 0,
             name: String::new(),
+            result_name: None,
             calls: Vec::new(),
             backwards: false,
             params: declared.params,

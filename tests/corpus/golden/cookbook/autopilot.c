@@ -175,87 +175,87 @@ static void autopilot_predicted(const double state[24], const imu_t *imu, double
     symmetric_f64_24_t *BESSEMER_RESTRICT covariance, double result[BESSEMER_RESTRICT 24])
 {
     const double half = 0.5 * period;
-    const double half_2 = half * (imu->rate[0] - state[10]);
-    const double half_d10 = -half;
-    const double force = period * (imu->force[0] - state[13]);
-    const double force_d13 = -period;
+    const double half_0 = half * (imu->rate[0] - state[10]);
+    const double half_0_d10 = -half;
+    const double force_0 = period * (imu->force[0] - state[13]);
+    const double force_0_d13 = -period;
+    const double half_2 = 0.5 * period;
+    const double half_1 = half_2 * (imu->rate[1] - state[11]);
+    const double half_1_d11 = -half_2;
+    const double force_1 = period * (imu->force[1] - state[14]);
+    const double force_1_d14 = -period;
     const double half_3 = 0.5 * period;
-    const double half_4 = half_3 * (imu->rate[1] - state[11]);
-    const double half_d11 = -half_3;
-    const double force_2 = period * (imu->force[1] - state[14]);
-    const double force_d14 = -period;
-    const double half_5 = 0.5 * period;
-    const double half_6 = half_5 * (imu->rate[2] - state[12]);
-    const double half_d12 = -half_5;
-    const double force_3 = period * (imu->force[2] - state[15]);
-    const double force_d15 = -period;
-    const double next = state[0] - state[1] * half_2 - state[2] * half_4 - state[3] * half_6;
-    const double next_d1 = -half_2;
-    const double next_d2 = -half_4;
-    const double next_d3 = -half_6;
-    const double next_d10 = -(state[1] * half_d10);
-    const double next_d11 = -(state[2] * half_d11);
-    const double next_d12 = -(state[3] * half_d12);
-    const double next_2 = state[1] + state[0] * half_2 + state[2] * half_6 - state[3] * half_4;
-    const double next_d3_2 = -half_4;
-    const double next_d10_2 = state[0] * half_d10;
-    const double next_d11_2 = -(state[3] * half_d11);
-    const double next_d12_2 = state[2] * half_d12;
-    const double next_3 = state[2] + state[0] * half_4 + state[3] * half_2 - state[1] * half_6;
-    const double next_d1_2 = -half_6;
-    const double next_d10_3 = state[3] * half_d10;
-    const double next_d11_3 = state[0] * half_d11;
-    const double next_d12_3 = -(state[1] * half_d12);
-    const double next_4 = state[3] + state[0] * half_6 + state[1] * half_4 - state[2] * half_2;
-    const double next_d2_2 = -half_2;
-    const double next_d10_4 = -(state[2] * half_d10);
-    const double next_d11_4 = state[1] * half_d11;
-    const double next_d12_4 = state[0] * half_d12;
+    const double half_2_2 = half_3 * (imu->rate[2] - state[12]);
+    const double half_2_d12 = -half_3;
+    const double force_2 = period * (imu->force[2] - state[15]);
+    const double force_2_d15 = -period;
+    const double next_0 = state[0] - state[1] * half_0 - state[2] * half_1 - state[3] * half_2_2;
+    const double next_0_d1 = -half_0;
+    const double next_0_d2 = -half_1;
+    const double next_0_d3 = -half_2_2;
+    const double next_0_d10 = -(state[1] * half_0_d10);
+    const double next_0_d11 = -(state[2] * half_1_d11);
+    const double next_0_d12 = -(state[3] * half_2_d12);
+    const double next_1 = state[1] + state[0] * half_0 + state[2] * half_2_2 - state[3] * half_1;
+    const double next_1_d3 = -half_1;
+    const double next_1_d10 = state[0] * half_0_d10;
+    const double next_1_d11 = -(state[3] * half_1_d11);
+    const double next_1_d12 = state[2] * half_2_d12;
+    const double next_2 = state[2] + state[0] * half_1 + state[3] * half_0 - state[1] * half_2_2;
+    const double next_2_d1 = -half_2_2;
+    const double next_2_d10 = state[3] * half_0_d10;
+    const double next_2_d11 = state[0] * half_1_d11;
+    const double next_2_d12 = -(state[1] * half_2_d12);
+    const double next_3 = state[3] + state[0] * half_2_2 + state[1] * half_1 - state[2] * half_0;
+    const double next_3_d2 = -half_0;
+    const double next_3_d10 = -(state[2] * half_0_d10);
+    const double next_3_d11 = state[1] * half_1_d11;
+    const double next_3_d12 = state[0] * half_2_d12;
     const double north = 1.0 - 2.0 * (state[2] * state[2] + state[3] * state[3]);
     const double north_2 = 2.0 * (state[1] * state[2] - state[0] * state[3]);
     const double north_3 = 2.0 * (state[1] * state[3] + state[0] * state[2]);
-    const double north_4 = north * force + north_2 * force_2 + north_3 * force_3;
-    const double north_d0 = force_2 * (2.0 * -state[3]) + force_3 * (2.0 * state[2]);
-    const double north_d1 = force_2 * (2.0 * state[2]) + force_3 * (2.0 * state[3]);
-    const double north_d2 = force * -(2.0 * (state[2] + state[2])) + force_2 * (2.0 * state[1])
-        + force_3 * (2.0 * state[0]);
-    const double north_d3 = force * -(2.0 * (state[3] + state[3])) + force_2 * (2.0 * -state[0])
-        + force_3 * (2.0 * state[1]);
-    const double north_d13 = north * force_d13;
-    const double north_d14 = north_2 * force_d14;
-    const double north_d15 = north_3 * force_d15;
+    const double north_4 = north * force_0 + north_2 * force_1 + north_3 * force_2;
+    const double north_d0 = force_1 * (2.0 * -state[3]) + force_2 * (2.0 * state[2]);
+    const double north_d1 = force_1 * (2.0 * state[2]) + force_2 * (2.0 * state[3]);
+    const double north_d2 = force_0 * -(2.0 * (state[2] + state[2])) + force_1 * (2.0 * state[1])
+        + force_2 * (2.0 * state[0]);
+    const double north_d3 = force_0 * -(2.0 * (state[3] + state[3])) + force_1 * (2.0 * -state[0])
+        + force_2 * (2.0 * state[1]);
+    const double north_d13 = north * force_0_d13;
+    const double north_d14 = north_2 * force_1_d14;
+    const double north_d15 = north_3 * force_2_d15;
     const double east = 2.0 * (state[1] * state[2] + state[0] * state[3]);
     const double east_2 = 1.0 - 2.0 * (state[1] * state[1] + state[3] * state[3]);
     const double east_3 = 2.0 * (state[2] * state[3] - state[0] * state[1]);
-    const double east_4 = east * force + east_2 * force_2 + east_3 * force_3;
-    const double east_d0 = force * (2.0 * state[3]) + force_3 * (2.0 * -state[1]);
-    const double east_d1 = force * (2.0 * state[2]) + force_2 * -(2.0 * (state[1] + state[1]))
-        + force_3 * (2.0 * -state[0]);
-    const double east_d2 = force * (2.0 * state[1]) + force_3 * (2.0 * state[3]);
-    const double east_d3 = force * (2.0 * state[0]) + force_2 * -(2.0 * (state[3] + state[3]))
-        + force_3 * (2.0 * state[2]);
-    const double east_d13 = east * force_d13;
-    const double east_d14 = east_2 * force_d14;
-    const double east_d15 = east_3 * force_d15;
+    const double east_4 = east * force_0 + east_2 * force_1 + east_3 * force_2;
+    const double east_d0 = force_0 * (2.0 * state[3]) + force_2 * (2.0 * -state[1]);
+    const double east_d1 = force_0 * (2.0 * state[2]) + force_1 * -(2.0 * (state[1] + state[1]))
+        + force_2 * (2.0 * -state[0]);
+    const double east_d2 = force_0 * (2.0 * state[1]) + force_2 * (2.0 * state[3]);
+    const double east_d3 = force_0 * (2.0 * state[0]) + force_1 * -(2.0 * (state[3] + state[3]))
+        + force_2 * (2.0 * state[2]);
+    const double east_d13 = east * force_0_d13;
+    const double east_d14 = east_2 * force_1_d14;
+    const double east_d15 = east_3 * force_2_d15;
     const double down = 2.0 * (state[1] * state[3] - state[0] * state[2]);
     const double down_2 = 2.0 * (state[2] * state[3] + state[0] * state[1]);
     const double down_3 = 1.0 - 2.0 * (state[1] * state[1] + state[2] * state[2]);
-    const double down_4 = down * force + down_2 * force_2 + down_3 * force_3;
-    const double down_d0 = force * (2.0 * -state[2]) + force_2 * (2.0 * state[1]);
-    const double down_d1 = force * (2.0 * state[3]) + force_2 * (2.0 * state[0])
-        + force_3 * -(2.0 * (state[1] + state[1]));
-    const double down_d2 = force * (2.0 * -state[0]) + force_2 * (2.0 * state[3])
-        + force_3 * -(2.0 * (state[2] + state[2]));
-    const double down_d3 = force * (2.0 * state[1]) + force_2 * (2.0 * state[2]);
-    const double down_d13 = down * force_d13;
-    const double down_d14 = down_2 * force_d14;
-    const double down_d15 = down_3 * force_d15;
-    const double next_5 = state[4] + north_4;
-    const double next_6 = state[5] + east_4;
-    const double next_7 = state[6] + (down_4 + GRAVITY * period);
-    const double next_8 = state[7] + period * state[4];
-    const double next_9 = state[8] + period * state[5];
-    const double next_10 = state[9] + period * state[6];
+    const double down_4 = down * force_0 + down_2 * force_1 + down_3 * force_2;
+    const double down_d0 = force_0 * (2.0 * -state[2]) + force_1 * (2.0 * state[1]);
+    const double down_d1 = force_0 * (2.0 * state[3]) + force_1 * (2.0 * state[0])
+        + force_2 * -(2.0 * (state[1] + state[1]));
+    const double down_d2 = force_0 * (2.0 * -state[0]) + force_1 * (2.0 * state[3])
+        + force_2 * -(2.0 * (state[2] + state[2]));
+    const double down_d3 = force_0 * (2.0 * state[1]) + force_1 * (2.0 * state[2]);
+    const double down_d13 = down * force_0_d13;
+    const double down_d14 = down_2 * force_1_d14;
+    const double down_d15 = down_3 * force_2_d15;
+    const double next_4 = state[4] + north_4;
+    const double next_5 = state[5] + east_4;
+    const double next_6 = state[6] + (down_4 + GRAVITY * period);
+    const double next_7 = state[7] + period * state[4];
+    const double next_8 = state[8] + period * state[5];
+    const double next_9 = state[9] + period * state[6];
     const double row_7_7 = covariance->elements[7 + 24 * 7]
         + period * covariance->elements[4 + 24 * 7];
     const double row_7_8 = covariance->elements[7 + 24 * 8]
@@ -452,126 +452,134 @@ static void autopilot_predicted(const double state[24], const imu_t *imu, double
         + down_d15 * covariance->elements[6 + 24 * 15];
     covariance->elements[6 + 24 * 6] = block_6_6;
     const double row_0_0 = covariance->elements[0 + 24 * 0]
-        + next_d1 * covariance->elements[1 + 24 * 0] + next_d2 * covariance->elements[2 + 24 * 0]
-        + next_d3 * covariance->elements[3 + 24 * 0] + next_d10 * covariance->elements[10 + 24 * 0]
-        + next_d11 * covariance->elements[11 + 24 * 0]
-        + next_d12 * covariance->elements[12 + 24 * 0];
+        + next_0_d1 * covariance->elements[1 + 24 * 0]
+        + next_0_d2 * covariance->elements[2 + 24 * 0]
+        + next_0_d3 * covariance->elements[3 + 24 * 0]
+        + next_0_d10 * covariance->elements[10 + 24 * 0]
+        + next_0_d11 * covariance->elements[11 + 24 * 0]
+        + next_0_d12 * covariance->elements[12 + 24 * 0];
     const double row_0_1 = covariance->elements[0 + 24 * 1]
-        + next_d1 * covariance->elements[1 + 24 * 1] + next_d2 * covariance->elements[2 + 24 * 1]
-        + next_d3 * covariance->elements[3 + 24 * 1] + next_d10 * covariance->elements[10 + 24 * 1]
-        + next_d11 * covariance->elements[11 + 24 * 1]
-        + next_d12 * covariance->elements[12 + 24 * 1];
+        + next_0_d1 * covariance->elements[1 + 24 * 1]
+        + next_0_d2 * covariance->elements[2 + 24 * 1]
+        + next_0_d3 * covariance->elements[3 + 24 * 1]
+        + next_0_d10 * covariance->elements[10 + 24 * 1]
+        + next_0_d11 * covariance->elements[11 + 24 * 1]
+        + next_0_d12 * covariance->elements[12 + 24 * 1];
     const double row_0_2 = covariance->elements[0 + 24 * 2]
-        + next_d1 * covariance->elements[1 + 24 * 2] + next_d2 * covariance->elements[2 + 24 * 2]
-        + next_d3 * covariance->elements[3 + 24 * 2] + next_d10 * covariance->elements[10 + 24 * 2]
-        + next_d11 * covariance->elements[11 + 24 * 2]
-        + next_d12 * covariance->elements[12 + 24 * 2];
+        + next_0_d1 * covariance->elements[1 + 24 * 2]
+        + next_0_d2 * covariance->elements[2 + 24 * 2]
+        + next_0_d3 * covariance->elements[3 + 24 * 2]
+        + next_0_d10 * covariance->elements[10 + 24 * 2]
+        + next_0_d11 * covariance->elements[11 + 24 * 2]
+        + next_0_d12 * covariance->elements[12 + 24 * 2];
     const double row_0_3 = covariance->elements[0 + 24 * 3]
-        + next_d1 * covariance->elements[1 + 24 * 3] + next_d2 * covariance->elements[2 + 24 * 3]
-        + next_d3 * covariance->elements[3 + 24 * 3] + next_d10 * covariance->elements[10 + 24 * 3]
-        + next_d11 * covariance->elements[11 + 24 * 3]
-        + next_d12 * covariance->elements[12 + 24 * 3];
+        + next_0_d1 * covariance->elements[1 + 24 * 3]
+        + next_0_d2 * covariance->elements[2 + 24 * 3]
+        + next_0_d3 * covariance->elements[3 + 24 * 3]
+        + next_0_d10 * covariance->elements[10 + 24 * 3]
+        + next_0_d11 * covariance->elements[11 + 24 * 3]
+        + next_0_d12 * covariance->elements[12 + 24 * 3];
     const double row_1_0 = covariance->elements[1 + 24 * 0]
-        + half_2 * covariance->elements[0 + 24 * 0] + half_6 * covariance->elements[2 + 24 * 0]
-        + next_d3_2 * covariance->elements[3 + 24 * 0]
-        + next_d10_2 * covariance->elements[10 + 24 * 0]
-        + next_d11_2 * covariance->elements[11 + 24 * 0]
-        + next_d12_2 * covariance->elements[12 + 24 * 0];
+        + half_0 * covariance->elements[0 + 24 * 0] + half_2_2 * covariance->elements[2 + 24 * 0]
+        + next_1_d3 * covariance->elements[3 + 24 * 0]
+        + next_1_d10 * covariance->elements[10 + 24 * 0]
+        + next_1_d11 * covariance->elements[11 + 24 * 0]
+        + next_1_d12 * covariance->elements[12 + 24 * 0];
     const double row_1_1 = covariance->elements[1 + 24 * 1]
-        + half_2 * covariance->elements[0 + 24 * 1] + half_6 * covariance->elements[2 + 24 * 1]
-        + next_d3_2 * covariance->elements[3 + 24 * 1]
-        + next_d10_2 * covariance->elements[10 + 24 * 1]
-        + next_d11_2 * covariance->elements[11 + 24 * 1]
-        + next_d12_2 * covariance->elements[12 + 24 * 1];
+        + half_0 * covariance->elements[0 + 24 * 1] + half_2_2 * covariance->elements[2 + 24 * 1]
+        + next_1_d3 * covariance->elements[3 + 24 * 1]
+        + next_1_d10 * covariance->elements[10 + 24 * 1]
+        + next_1_d11 * covariance->elements[11 + 24 * 1]
+        + next_1_d12 * covariance->elements[12 + 24 * 1];
     const double row_1_2 = covariance->elements[1 + 24 * 2]
-        + half_2 * covariance->elements[0 + 24 * 2] + half_6 * covariance->elements[2 + 24 * 2]
-        + next_d3_2 * covariance->elements[3 + 24 * 2]
-        + next_d10_2 * covariance->elements[10 + 24 * 2]
-        + next_d11_2 * covariance->elements[11 + 24 * 2]
-        + next_d12_2 * covariance->elements[12 + 24 * 2];
+        + half_0 * covariance->elements[0 + 24 * 2] + half_2_2 * covariance->elements[2 + 24 * 2]
+        + next_1_d3 * covariance->elements[3 + 24 * 2]
+        + next_1_d10 * covariance->elements[10 + 24 * 2]
+        + next_1_d11 * covariance->elements[11 + 24 * 2]
+        + next_1_d12 * covariance->elements[12 + 24 * 2];
     const double row_1_3 = covariance->elements[1 + 24 * 3]
-        + half_2 * covariance->elements[0 + 24 * 3] + half_6 * covariance->elements[2 + 24 * 3]
-        + next_d3_2 * covariance->elements[3 + 24 * 3]
-        + next_d10_2 * covariance->elements[10 + 24 * 3]
-        + next_d11_2 * covariance->elements[11 + 24 * 3]
-        + next_d12_2 * covariance->elements[12 + 24 * 3];
+        + half_0 * covariance->elements[0 + 24 * 3] + half_2_2 * covariance->elements[2 + 24 * 3]
+        + next_1_d3 * covariance->elements[3 + 24 * 3]
+        + next_1_d10 * covariance->elements[10 + 24 * 3]
+        + next_1_d11 * covariance->elements[11 + 24 * 3]
+        + next_1_d12 * covariance->elements[12 + 24 * 3];
     const double row_2_0 = covariance->elements[2 + 24 * 0]
-        + half_4 * covariance->elements[0 + 24 * 0] + next_d1_2 * covariance->elements[1 + 24 * 0]
-        + half_2 * covariance->elements[3 + 24 * 0]
-        + next_d10_3 * covariance->elements[10 + 24 * 0]
-        + next_d11_3 * covariance->elements[11 + 24 * 0]
-        + next_d12_3 * covariance->elements[12 + 24 * 0];
+        + half_1 * covariance->elements[0 + 24 * 0] + next_2_d1 * covariance->elements[1 + 24 * 0]
+        + half_0 * covariance->elements[3 + 24 * 0]
+        + next_2_d10 * covariance->elements[10 + 24 * 0]
+        + next_2_d11 * covariance->elements[11 + 24 * 0]
+        + next_2_d12 * covariance->elements[12 + 24 * 0];
     const double row_2_1 = covariance->elements[2 + 24 * 1]
-        + half_4 * covariance->elements[0 + 24 * 1] + next_d1_2 * covariance->elements[1 + 24 * 1]
-        + half_2 * covariance->elements[3 + 24 * 1]
-        + next_d10_3 * covariance->elements[10 + 24 * 1]
-        + next_d11_3 * covariance->elements[11 + 24 * 1]
-        + next_d12_3 * covariance->elements[12 + 24 * 1];
+        + half_1 * covariance->elements[0 + 24 * 1] + next_2_d1 * covariance->elements[1 + 24 * 1]
+        + half_0 * covariance->elements[3 + 24 * 1]
+        + next_2_d10 * covariance->elements[10 + 24 * 1]
+        + next_2_d11 * covariance->elements[11 + 24 * 1]
+        + next_2_d12 * covariance->elements[12 + 24 * 1];
     const double row_2_2 = covariance->elements[2 + 24 * 2]
-        + half_4 * covariance->elements[0 + 24 * 2] + next_d1_2 * covariance->elements[1 + 24 * 2]
-        + half_2 * covariance->elements[3 + 24 * 2]
-        + next_d10_3 * covariance->elements[10 + 24 * 2]
-        + next_d11_3 * covariance->elements[11 + 24 * 2]
-        + next_d12_3 * covariance->elements[12 + 24 * 2];
+        + half_1 * covariance->elements[0 + 24 * 2] + next_2_d1 * covariance->elements[1 + 24 * 2]
+        + half_0 * covariance->elements[3 + 24 * 2]
+        + next_2_d10 * covariance->elements[10 + 24 * 2]
+        + next_2_d11 * covariance->elements[11 + 24 * 2]
+        + next_2_d12 * covariance->elements[12 + 24 * 2];
     const double row_2_3 = covariance->elements[2 + 24 * 3]
-        + half_4 * covariance->elements[0 + 24 * 3] + next_d1_2 * covariance->elements[1 + 24 * 3]
-        + half_2 * covariance->elements[3 + 24 * 3]
-        + next_d10_3 * covariance->elements[10 + 24 * 3]
-        + next_d11_3 * covariance->elements[11 + 24 * 3]
-        + next_d12_3 * covariance->elements[12 + 24 * 3];
+        + half_1 * covariance->elements[0 + 24 * 3] + next_2_d1 * covariance->elements[1 + 24 * 3]
+        + half_0 * covariance->elements[3 + 24 * 3]
+        + next_2_d10 * covariance->elements[10 + 24 * 3]
+        + next_2_d11 * covariance->elements[11 + 24 * 3]
+        + next_2_d12 * covariance->elements[12 + 24 * 3];
     const double row_3_0 = covariance->elements[3 + 24 * 0]
-        + half_6 * covariance->elements[0 + 24 * 0] + half_4 * covariance->elements[1 + 24 * 0]
-        + next_d2_2 * covariance->elements[2 + 24 * 0]
-        + next_d10_4 * covariance->elements[10 + 24 * 0]
-        + next_d11_4 * covariance->elements[11 + 24 * 0]
-        + next_d12_4 * covariance->elements[12 + 24 * 0];
+        + half_2_2 * covariance->elements[0 + 24 * 0] + half_1 * covariance->elements[1 + 24 * 0]
+        + next_3_d2 * covariance->elements[2 + 24 * 0]
+        + next_3_d10 * covariance->elements[10 + 24 * 0]
+        + next_3_d11 * covariance->elements[11 + 24 * 0]
+        + next_3_d12 * covariance->elements[12 + 24 * 0];
     const double row_3_1 = covariance->elements[3 + 24 * 1]
-        + half_6 * covariance->elements[0 + 24 * 1] + half_4 * covariance->elements[1 + 24 * 1]
-        + next_d2_2 * covariance->elements[2 + 24 * 1]
-        + next_d10_4 * covariance->elements[10 + 24 * 1]
-        + next_d11_4 * covariance->elements[11 + 24 * 1]
-        + next_d12_4 * covariance->elements[12 + 24 * 1];
+        + half_2_2 * covariance->elements[0 + 24 * 1] + half_1 * covariance->elements[1 + 24 * 1]
+        + next_3_d2 * covariance->elements[2 + 24 * 1]
+        + next_3_d10 * covariance->elements[10 + 24 * 1]
+        + next_3_d11 * covariance->elements[11 + 24 * 1]
+        + next_3_d12 * covariance->elements[12 + 24 * 1];
     const double row_3_2 = covariance->elements[3 + 24 * 2]
-        + half_6 * covariance->elements[0 + 24 * 2] + half_4 * covariance->elements[1 + 24 * 2]
-        + next_d2_2 * covariance->elements[2 + 24 * 2]
-        + next_d10_4 * covariance->elements[10 + 24 * 2]
-        + next_d11_4 * covariance->elements[11 + 24 * 2]
-        + next_d12_4 * covariance->elements[12 + 24 * 2];
+        + half_2_2 * covariance->elements[0 + 24 * 2] + half_1 * covariance->elements[1 + 24 * 2]
+        + next_3_d2 * covariance->elements[2 + 24 * 2]
+        + next_3_d10 * covariance->elements[10 + 24 * 2]
+        + next_3_d11 * covariance->elements[11 + 24 * 2]
+        + next_3_d12 * covariance->elements[12 + 24 * 2];
     const double row_3_3 = covariance->elements[3 + 24 * 3]
-        + half_6 * covariance->elements[0 + 24 * 3] + half_4 * covariance->elements[1 + 24 * 3]
-        + next_d2_2 * covariance->elements[2 + 24 * 3]
-        + next_d10_4 * covariance->elements[10 + 24 * 3]
-        + next_d11_4 * covariance->elements[11 + 24 * 3]
-        + next_d12_4 * covariance->elements[12 + 24 * 3];
+        + half_2_2 * covariance->elements[0 + 24 * 3] + half_1 * covariance->elements[1 + 24 * 3]
+        + next_3_d2 * covariance->elements[2 + 24 * 3]
+        + next_3_d10 * covariance->elements[10 + 24 * 3]
+        + next_3_d11 * covariance->elements[11 + 24 * 3]
+        + next_3_d12 * covariance->elements[12 + 24 * 3];
     for (uint32_t k = 4U; k < 24U; k++) {
         const double row_0 = covariance->elements[0U + 24U * k]
-            + next_d1 * covariance->elements[1U + 24U * k]
-            + next_d2 * covariance->elements[2U + 24U * k]
-            + next_d3 * covariance->elements[3U + 24U * k]
-            + next_d10 * covariance->elements[10U + 24U * k]
-            + next_d11 * covariance->elements[11U + 24U * k]
-            + next_d12 * covariance->elements[12U + 24U * k];
+            + next_0_d1 * covariance->elements[1U + 24U * k]
+            + next_0_d2 * covariance->elements[2U + 24U * k]
+            + next_0_d3 * covariance->elements[3U + 24U * k]
+            + next_0_d10 * covariance->elements[10U + 24U * k]
+            + next_0_d11 * covariance->elements[11U + 24U * k]
+            + next_0_d12 * covariance->elements[12U + 24U * k];
         const double row_1 = covariance->elements[1U + 24U * k]
-            + half_2 * covariance->elements[0U + 24U * k]
-            + half_6 * covariance->elements[2U + 24U * k]
-            + next_d3_2 * covariance->elements[3U + 24U * k]
-            + next_d10_2 * covariance->elements[10U + 24U * k]
-            + next_d11_2 * covariance->elements[11U + 24U * k]
-            + next_d12_2 * covariance->elements[12U + 24U * k];
+            + half_0 * covariance->elements[0U + 24U * k]
+            + half_2_2 * covariance->elements[2U + 24U * k]
+            + next_1_d3 * covariance->elements[3U + 24U * k]
+            + next_1_d10 * covariance->elements[10U + 24U * k]
+            + next_1_d11 * covariance->elements[11U + 24U * k]
+            + next_1_d12 * covariance->elements[12U + 24U * k];
         const double row_2 = covariance->elements[2U + 24U * k]
-            + half_4 * covariance->elements[0U + 24U * k]
-            + next_d1_2 * covariance->elements[1U + 24U * k]
-            + half_2 * covariance->elements[3U + 24U * k]
-            + next_d10_3 * covariance->elements[10U + 24U * k]
-            + next_d11_3 * covariance->elements[11U + 24U * k]
-            + next_d12_3 * covariance->elements[12U + 24U * k];
+            + half_1 * covariance->elements[0U + 24U * k]
+            + next_2_d1 * covariance->elements[1U + 24U * k]
+            + half_0 * covariance->elements[3U + 24U * k]
+            + next_2_d10 * covariance->elements[10U + 24U * k]
+            + next_2_d11 * covariance->elements[11U + 24U * k]
+            + next_2_d12 * covariance->elements[12U + 24U * k];
         const double row_3 = covariance->elements[3U + 24U * k]
-            + half_6 * covariance->elements[0U + 24U * k]
-            + half_4 * covariance->elements[1U + 24U * k]
-            + next_d2_2 * covariance->elements[2U + 24U * k]
-            + next_d10_4 * covariance->elements[10U + 24U * k]
-            + next_d11_4 * covariance->elements[11U + 24U * k]
-            + next_d12_4 * covariance->elements[12U + 24U * k];
+            + half_2_2 * covariance->elements[0U + 24U * k]
+            + half_1 * covariance->elements[1U + 24U * k]
+            + next_3_d2 * covariance->elements[2U + 24U * k]
+            + next_3_d10 * covariance->elements[10U + 24U * k]
+            + next_3_d11 * covariance->elements[11U + 24U * k]
+            + next_3_d12 * covariance->elements[12U + 24U * k];
         covariance->elements[0U + 24U * k] = row_0;
         covariance->elements[k + 24U * 0U] = row_0;
         covariance->elements[1U + 24U * k] = row_1;
@@ -581,72 +589,72 @@ static void autopilot_predicted(const double state[24], const imu_t *imu, double
         covariance->elements[3U + 24U * k] = row_3;
         covariance->elements[k + 24U * 3U] = row_3;
     }
-    const double block_0_0 = row_0_0 + next_d1 * row_0_1 + next_d2 * row_0_2 + next_d3 * row_0_3
-        + next_d10 * covariance->elements[0 + 24 * 10]
-        + next_d11 * covariance->elements[0 + 24 * 11]
-        + next_d12 * covariance->elements[0 + 24 * 12];
+    const double block_0_0 = row_0_0 + next_0_d1 * row_0_1 + next_0_d2 * row_0_2
+        + next_0_d3 * row_0_3 + next_0_d10 * covariance->elements[0 + 24 * 10]
+        + next_0_d11 * covariance->elements[0 + 24 * 11]
+        + next_0_d12 * covariance->elements[0 + 24 * 12];
     covariance->elements[0 + 24 * 0] = block_0_0;
-    const double block_1_0 = row_0_1 + half_2 * row_0_0 + half_6 * row_0_2 + next_d3_2 * row_0_3
-        + next_d10_2 * covariance->elements[0 + 24 * 10]
-        + next_d11_2 * covariance->elements[0 + 24 * 11]
-        + next_d12_2 * covariance->elements[0 + 24 * 12];
+    const double block_1_0 = row_0_1 + half_0 * row_0_0 + half_2_2 * row_0_2 + next_1_d3 * row_0_3
+        + next_1_d10 * covariance->elements[0 + 24 * 10]
+        + next_1_d11 * covariance->elements[0 + 24 * 11]
+        + next_1_d12 * covariance->elements[0 + 24 * 12];
     covariance->elements[1 + 24 * 0] = block_1_0;
     covariance->elements[0 + 24 * 1] = block_1_0;
-    const double block_1_1 = row_1_1 + half_2 * row_1_0 + half_6 * row_1_2 + next_d3_2 * row_1_3
-        + next_d10_2 * covariance->elements[1 + 24 * 10]
-        + next_d11_2 * covariance->elements[1 + 24 * 11]
-        + next_d12_2 * covariance->elements[1 + 24 * 12];
+    const double block_1_1 = row_1_1 + half_0 * row_1_0 + half_2_2 * row_1_2 + next_1_d3 * row_1_3
+        + next_1_d10 * covariance->elements[1 + 24 * 10]
+        + next_1_d11 * covariance->elements[1 + 24 * 11]
+        + next_1_d12 * covariance->elements[1 + 24 * 12];
     covariance->elements[1 + 24 * 1] = block_1_1;
-    const double block_2_0 = row_0_2 + half_4 * row_0_0 + next_d1_2 * row_0_1 + half_2 * row_0_3
-        + next_d10_3 * covariance->elements[0 + 24 * 10]
-        + next_d11_3 * covariance->elements[0 + 24 * 11]
-        + next_d12_3 * covariance->elements[0 + 24 * 12];
+    const double block_2_0 = row_0_2 + half_1 * row_0_0 + next_2_d1 * row_0_1 + half_0 * row_0_3
+        + next_2_d10 * covariance->elements[0 + 24 * 10]
+        + next_2_d11 * covariance->elements[0 + 24 * 11]
+        + next_2_d12 * covariance->elements[0 + 24 * 12];
     covariance->elements[2 + 24 * 0] = block_2_0;
     covariance->elements[0 + 24 * 2] = block_2_0;
-    const double block_2_1 = row_1_2 + half_4 * row_1_0 + next_d1_2 * row_1_1 + half_2 * row_1_3
-        + next_d10_3 * covariance->elements[1 + 24 * 10]
-        + next_d11_3 * covariance->elements[1 + 24 * 11]
-        + next_d12_3 * covariance->elements[1 + 24 * 12];
+    const double block_2_1 = row_1_2 + half_1 * row_1_0 + next_2_d1 * row_1_1 + half_0 * row_1_3
+        + next_2_d10 * covariance->elements[1 + 24 * 10]
+        + next_2_d11 * covariance->elements[1 + 24 * 11]
+        + next_2_d12 * covariance->elements[1 + 24 * 12];
     covariance->elements[2 + 24 * 1] = block_2_1;
     covariance->elements[1 + 24 * 2] = block_2_1;
-    const double block_2_2 = row_2_2 + half_4 * row_2_0 + next_d1_2 * row_2_1 + half_2 * row_2_3
-        + next_d10_3 * covariance->elements[2 + 24 * 10]
-        + next_d11_3 * covariance->elements[2 + 24 * 11]
-        + next_d12_3 * covariance->elements[2 + 24 * 12];
+    const double block_2_2 = row_2_2 + half_1 * row_2_0 + next_2_d1 * row_2_1 + half_0 * row_2_3
+        + next_2_d10 * covariance->elements[2 + 24 * 10]
+        + next_2_d11 * covariance->elements[2 + 24 * 11]
+        + next_2_d12 * covariance->elements[2 + 24 * 12];
     covariance->elements[2 + 24 * 2] = block_2_2;
-    const double block_3_0 = row_0_3 + half_6 * row_0_0 + half_4 * row_0_1 + next_d2_2 * row_0_2
-        + next_d10_4 * covariance->elements[0 + 24 * 10]
-        + next_d11_4 * covariance->elements[0 + 24 * 11]
-        + next_d12_4 * covariance->elements[0 + 24 * 12];
+    const double block_3_0 = row_0_3 + half_2_2 * row_0_0 + half_1 * row_0_1 + next_3_d2 * row_0_2
+        + next_3_d10 * covariance->elements[0 + 24 * 10]
+        + next_3_d11 * covariance->elements[0 + 24 * 11]
+        + next_3_d12 * covariance->elements[0 + 24 * 12];
     covariance->elements[3 + 24 * 0] = block_3_0;
     covariance->elements[0 + 24 * 3] = block_3_0;
-    const double block_3_1 = row_1_3 + half_6 * row_1_0 + half_4 * row_1_1 + next_d2_2 * row_1_2
-        + next_d10_4 * covariance->elements[1 + 24 * 10]
-        + next_d11_4 * covariance->elements[1 + 24 * 11]
-        + next_d12_4 * covariance->elements[1 + 24 * 12];
+    const double block_3_1 = row_1_3 + half_2_2 * row_1_0 + half_1 * row_1_1 + next_3_d2 * row_1_2
+        + next_3_d10 * covariance->elements[1 + 24 * 10]
+        + next_3_d11 * covariance->elements[1 + 24 * 11]
+        + next_3_d12 * covariance->elements[1 + 24 * 12];
     covariance->elements[3 + 24 * 1] = block_3_1;
     covariance->elements[1 + 24 * 3] = block_3_1;
-    const double block_3_2 = row_2_3 + half_6 * row_2_0 + half_4 * row_2_1 + next_d2_2 * row_2_2
-        + next_d10_4 * covariance->elements[2 + 24 * 10]
-        + next_d11_4 * covariance->elements[2 + 24 * 11]
-        + next_d12_4 * covariance->elements[2 + 24 * 12];
+    const double block_3_2 = row_2_3 + half_2_2 * row_2_0 + half_1 * row_2_1 + next_3_d2 * row_2_2
+        + next_3_d10 * covariance->elements[2 + 24 * 10]
+        + next_3_d11 * covariance->elements[2 + 24 * 11]
+        + next_3_d12 * covariance->elements[2 + 24 * 12];
     covariance->elements[3 + 24 * 2] = block_3_2;
     covariance->elements[2 + 24 * 3] = block_3_2;
-    const double block_3_3 = row_3_3 + half_6 * row_3_0 + half_4 * row_3_1 + next_d2_2 * row_3_2
-        + next_d10_4 * covariance->elements[3 + 24 * 10]
-        + next_d11_4 * covariance->elements[3 + 24 * 11]
-        + next_d12_4 * covariance->elements[3 + 24 * 12];
+    const double block_3_3 = row_3_3 + half_2_2 * row_3_0 + half_1 * row_3_1 + next_3_d2 * row_3_2
+        + next_3_d10 * covariance->elements[3 + 24 * 10]
+        + next_3_d11 * covariance->elements[3 + 24 * 11]
+        + next_3_d12 * covariance->elements[3 + 24 * 12];
     covariance->elements[3 + 24 * 3] = block_3_3;
-    result[0] = next;
-    result[1] = next_2;
-    result[2] = next_3;
-    result[3] = next_4;
-    result[4] = next_5;
-    result[5] = next_6;
-    result[6] = next_7;
-    result[7] = next_8;
-    result[8] = next_9;
-    result[9] = next_10;
+    result[0] = next_0;
+    result[1] = next_1;
+    result[2] = next_2;
+    result[3] = next_3;
+    result[4] = next_4;
+    result[5] = next_5;
+    result[6] = next_6;
+    result[7] = next_7;
+    result[8] = next_8;
+    result[9] = next_9;
     result[10] = state[10];
     result[11] = state[11];
     result[12] = state[12];

@@ -89,35 +89,35 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
     const double rates_1 = cos_state_6 * q - sin_state_6 * r;
     const double rates_1_d6 = q * slope - r * cos_state_6;
     const double rates_1_d10 = -cos_state_6;
-    const double next = state[0] + period * state[3];
-    const double next_2 = state[3] + period * acceleration_0;
-    const double next_d6 = period * acceleration_0_d6;
-    const double next_d7 = period * acceleration_0_d7;
-    const double next_d8 = period * acceleration_0_d8;
-    const double next_3 = state[6] + period * rates_0;
-    const double next_d6_2 = 1.0 + period * rates_0_d6;
-    const double next_d7_2 = period * rates_0_d7;
-    const double next_d9 = -period;
-    const double next_d10 = period * rates_0_d10;
-    const double next_d11 = period * rates_0_d11;
-    const double next_4 = state[1] + period * state[4];
-    const double next_5 = state[4] + period * acceleration_1;
-    const double next_d6_3 = period * acceleration_1_d6;
-    const double next_d7_3 = period * acceleration_1_d7;
-    const double next_d8_2 = period * acceleration_1_d8;
-    const double next_6 = state[7] + period * rates_1;
-    const double next_d6_4 = period * rates_1_d6;
-    const double next_d10_2 = period * rates_1_d10;
-    const double next_d11_2 = period * sin_state_6;
-    const double next_7 = state[2] + period * state[5];
-    const double next_8 = state[5] + period * acceleration_2;
-    const double next_d6_5 = period * down_d6;
-    const double next_d7_4 = period * down_d7;
-    const double next_9 = state[8] + period * turn;
-    const double next_d6_6 = period * turn_d6;
-    const double next_d7_5 = period * turn_d7;
-    const double next_d10_3 = period * turn_d10;
-    const double next_d11_3 = period * turn_d11;
+    const double next_0 = state[0] + period * state[3];
+    const double next_3 = state[3] + period * acceleration_0;
+    const double next_3_d6 = period * acceleration_0_d6;
+    const double next_3_d7 = period * acceleration_0_d7;
+    const double next_3_d8 = period * acceleration_0_d8;
+    const double next_6 = state[6] + period * rates_0;
+    const double next_6_d6 = 1.0 + period * rates_0_d6;
+    const double next_6_d7 = period * rates_0_d7;
+    const double next_6_d9 = -period;
+    const double next_6_d10 = period * rates_0_d10;
+    const double next_6_d11 = period * rates_0_d11;
+    const double next_1 = state[1] + period * state[4];
+    const double next_4 = state[4] + period * acceleration_1;
+    const double next_4_d6 = period * acceleration_1_d6;
+    const double next_4_d7 = period * acceleration_1_d7;
+    const double next_4_d8 = period * acceleration_1_d8;
+    const double next_7 = state[7] + period * rates_1;
+    const double next_7_d6 = period * rates_1_d6;
+    const double next_7_d10 = period * rates_1_d10;
+    const double next_7_d11 = period * sin_state_6;
+    const double next_2 = state[2] + period * state[5];
+    const double next_5 = state[5] + period * acceleration_2;
+    const double next_5_d6 = period * down_d6;
+    const double next_5_d7 = period * down_d7;
+    const double next_8 = state[8] + period * turn;
+    const double next_8_d6 = period * turn_d6;
+    const double next_8_d7 = period * turn_d7;
+    const double next_8_d10 = period * turn_d10;
+    const double next_8_d11 = period * turn_d11;
     const double row_0_0 = covariance->elements[0 + 12 * 0]
         + period * covariance->elements[3 + 12 * 0];
     const double row_0_1 = covariance->elements[0 + 12 * 1]
@@ -160,37 +160,40 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
     const double block_2_2 = row_2_2 + period * covariance->elements[2 + 12 * 5];
     covariance->elements[2 + 12 * 2] = block_2_2;
     const double row_3_3 = covariance->elements[3 + 12 * 3]
-        + next_d6 * covariance->elements[6 + 12 * 3] + next_d7 * covariance->elements[7 + 12 * 3]
-        + next_d8 * covariance->elements[8 + 12 * 3];
+        + next_3_d6 * covariance->elements[6 + 12 * 3]
+        + next_3_d7 * covariance->elements[7 + 12 * 3]
+        + next_3_d8 * covariance->elements[8 + 12 * 3];
     const double row_3_4 = covariance->elements[3 + 12 * 4]
-        + next_d6 * covariance->elements[6 + 12 * 4] + next_d7 * covariance->elements[7 + 12 * 4]
-        + next_d8 * covariance->elements[8 + 12 * 4];
+        + next_3_d6 * covariance->elements[6 + 12 * 4]
+        + next_3_d7 * covariance->elements[7 + 12 * 4]
+        + next_3_d8 * covariance->elements[8 + 12 * 4];
     const double row_3_5 = covariance->elements[3 + 12 * 5]
-        + next_d6 * covariance->elements[6 + 12 * 5] + next_d7 * covariance->elements[7 + 12 * 5]
-        + next_d8 * covariance->elements[8 + 12 * 5];
+        + next_3_d6 * covariance->elements[6 + 12 * 5]
+        + next_3_d7 * covariance->elements[7 + 12 * 5]
+        + next_3_d8 * covariance->elements[8 + 12 * 5];
     const double row_4_4 = covariance->elements[4 + 12 * 4]
-        + next_d6_3 * covariance->elements[6 + 12 * 4]
-        + next_d7_3 * covariance->elements[7 + 12 * 4]
-        + next_d8_2 * covariance->elements[8 + 12 * 4];
+        + next_4_d6 * covariance->elements[6 + 12 * 4]
+        + next_4_d7 * covariance->elements[7 + 12 * 4]
+        + next_4_d8 * covariance->elements[8 + 12 * 4];
     const double row_4_5 = covariance->elements[4 + 12 * 5]
-        + next_d6_3 * covariance->elements[6 + 12 * 5]
-        + next_d7_3 * covariance->elements[7 + 12 * 5]
-        + next_d8_2 * covariance->elements[8 + 12 * 5];
+        + next_4_d6 * covariance->elements[6 + 12 * 5]
+        + next_4_d7 * covariance->elements[7 + 12 * 5]
+        + next_4_d8 * covariance->elements[8 + 12 * 5];
     const double row_5_5 = covariance->elements[5 + 12 * 5]
-        + next_d6_5 * covariance->elements[6 + 12 * 5]
-        + next_d7_4 * covariance->elements[7 + 12 * 5];
+        + next_5_d6 * covariance->elements[6 + 12 * 5]
+        + next_5_d7 * covariance->elements[7 + 12 * 5];
     for (uint32_t k = 0U; k < 3U; k++) {
         const double row_3 = covariance->elements[3U + 12U * k]
-            + next_d6 * covariance->elements[6U + 12U * k]
-            + next_d7 * covariance->elements[7U + 12U * k]
-            + next_d8 * covariance->elements[8U + 12U * k];
+            + next_3_d6 * covariance->elements[6U + 12U * k]
+            + next_3_d7 * covariance->elements[7U + 12U * k]
+            + next_3_d8 * covariance->elements[8U + 12U * k];
         const double row_4 = covariance->elements[4U + 12U * k]
-            + next_d6_3 * covariance->elements[6U + 12U * k]
-            + next_d7_3 * covariance->elements[7U + 12U * k]
-            + next_d8_2 * covariance->elements[8U + 12U * k];
+            + next_4_d6 * covariance->elements[6U + 12U * k]
+            + next_4_d7 * covariance->elements[7U + 12U * k]
+            + next_4_d8 * covariance->elements[8U + 12U * k];
         const double row_5 = covariance->elements[5U + 12U * k]
-            + next_d6_5 * covariance->elements[6U + 12U * k]
-            + next_d7_4 * covariance->elements[7U + 12U * k];
+            + next_5_d6 * covariance->elements[6U + 12U * k]
+            + next_5_d7 * covariance->elements[7U + 12U * k];
         covariance->elements[3U + 12U * k] = row_3;
         covariance->elements[k + 12U * 3U] = row_3;
         covariance->elements[4U + 12U * k] = row_4;
@@ -200,16 +203,16 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
     }
     for (uint32_t k = 6U; k < 12U; k++) {
         const double row_3 = covariance->elements[3U + 12U * k]
-            + next_d6 * covariance->elements[6U + 12U * k]
-            + next_d7 * covariance->elements[7U + 12U * k]
-            + next_d8 * covariance->elements[8U + 12U * k];
+            + next_3_d6 * covariance->elements[6U + 12U * k]
+            + next_3_d7 * covariance->elements[7U + 12U * k]
+            + next_3_d8 * covariance->elements[8U + 12U * k];
         const double row_4 = covariance->elements[4U + 12U * k]
-            + next_d6_3 * covariance->elements[6U + 12U * k]
-            + next_d7_3 * covariance->elements[7U + 12U * k]
-            + next_d8_2 * covariance->elements[8U + 12U * k];
+            + next_4_d6 * covariance->elements[6U + 12U * k]
+            + next_4_d7 * covariance->elements[7U + 12U * k]
+            + next_4_d8 * covariance->elements[8U + 12U * k];
         const double row_5 = covariance->elements[5U + 12U * k]
-            + next_d6_5 * covariance->elements[6U + 12U * k]
-            + next_d7_4 * covariance->elements[7U + 12U * k];
+            + next_5_d6 * covariance->elements[6U + 12U * k]
+            + next_5_d7 * covariance->elements[7U + 12U * k];
         covariance->elements[3U + 12U * k] = row_3;
         covariance->elements[k + 12U * 3U] = row_3;
         covariance->elements[4U + 12U * k] = row_4;
@@ -217,83 +220,87 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
         covariance->elements[5U + 12U * k] = row_5;
         covariance->elements[k + 12U * 5U] = row_5;
     }
-    const double block_3_3 = row_3_3 + next_d6 * covariance->elements[3 + 12 * 6]
-        + next_d7 * covariance->elements[3 + 12 * 7] + next_d8 * covariance->elements[3 + 12 * 8];
+    const double block_3_3 = row_3_3 + next_3_d6 * covariance->elements[3 + 12 * 6]
+        + next_3_d7 * covariance->elements[3 + 12 * 7]
+        + next_3_d8 * covariance->elements[3 + 12 * 8];
     covariance->elements[3 + 12 * 3] = block_3_3;
-    const double block_4_3 = row_3_4 + next_d6_3 * covariance->elements[3 + 12 * 6]
-        + next_d7_3 * covariance->elements[3 + 12 * 7]
-        + next_d8_2 * covariance->elements[3 + 12 * 8];
+    const double block_4_3 = row_3_4 + next_4_d6 * covariance->elements[3 + 12 * 6]
+        + next_4_d7 * covariance->elements[3 + 12 * 7]
+        + next_4_d8 * covariance->elements[3 + 12 * 8];
     covariance->elements[4 + 12 * 3] = block_4_3;
     covariance->elements[3 + 12 * 4] = block_4_3;
-    const double block_4_4 = row_4_4 + next_d6_3 * covariance->elements[4 + 12 * 6]
-        + next_d7_3 * covariance->elements[4 + 12 * 7]
-        + next_d8_2 * covariance->elements[4 + 12 * 8];
+    const double block_4_4 = row_4_4 + next_4_d6 * covariance->elements[4 + 12 * 6]
+        + next_4_d7 * covariance->elements[4 + 12 * 7]
+        + next_4_d8 * covariance->elements[4 + 12 * 8];
     covariance->elements[4 + 12 * 4] = block_4_4;
-    const double block_5_3 = row_3_5 + next_d6_5 * covariance->elements[3 + 12 * 6]
-        + next_d7_4 * covariance->elements[3 + 12 * 7];
+    const double block_5_3 = row_3_5 + next_5_d6 * covariance->elements[3 + 12 * 6]
+        + next_5_d7 * covariance->elements[3 + 12 * 7];
     covariance->elements[5 + 12 * 3] = block_5_3;
     covariance->elements[3 + 12 * 5] = block_5_3;
-    const double block_5_4 = row_4_5 + next_d6_5 * covariance->elements[4 + 12 * 6]
-        + next_d7_4 * covariance->elements[4 + 12 * 7];
+    const double block_5_4 = row_4_5 + next_5_d6 * covariance->elements[4 + 12 * 6]
+        + next_5_d7 * covariance->elements[4 + 12 * 7];
     covariance->elements[5 + 12 * 4] = block_5_4;
     covariance->elements[4 + 12 * 5] = block_5_4;
-    const double block_5_5 = row_5_5 + next_d6_5 * covariance->elements[5 + 12 * 6]
-        + next_d7_4 * covariance->elements[5 + 12 * 7];
+    const double block_5_5 = row_5_5 + next_5_d6 * covariance->elements[5 + 12 * 6]
+        + next_5_d7 * covariance->elements[5 + 12 * 7];
     covariance->elements[5 + 12 * 5] = block_5_5;
-    const double row_6_6 = next_d6_2 * covariance->elements[6 + 12 * 6]
-        + next_d7_2 * covariance->elements[7 + 12 * 6] + next_d9 * covariance->elements[9 + 12 * 6]
-        + next_d10 * covariance->elements[10 + 12 * 6]
-        + next_d11 * covariance->elements[11 + 12 * 6];
-    const double row_6_7 = next_d6_2 * covariance->elements[6 + 12 * 7]
-        + next_d7_2 * covariance->elements[7 + 12 * 7] + next_d9 * covariance->elements[9 + 12 * 7]
-        + next_d10 * covariance->elements[10 + 12 * 7]
-        + next_d11 * covariance->elements[11 + 12 * 7];
-    const double row_6_8 = next_d6_2 * covariance->elements[6 + 12 * 8]
-        + next_d7_2 * covariance->elements[7 + 12 * 8] + next_d9 * covariance->elements[9 + 12 * 8]
-        + next_d10 * covariance->elements[10 + 12 * 8]
-        + next_d11 * covariance->elements[11 + 12 * 8];
+    const double row_6_6 = next_6_d6 * covariance->elements[6 + 12 * 6]
+        + next_6_d7 * covariance->elements[7 + 12 * 6]
+        + next_6_d9 * covariance->elements[9 + 12 * 6]
+        + next_6_d10 * covariance->elements[10 + 12 * 6]
+        + next_6_d11 * covariance->elements[11 + 12 * 6];
+    const double row_6_7 = next_6_d6 * covariance->elements[6 + 12 * 7]
+        + next_6_d7 * covariance->elements[7 + 12 * 7]
+        + next_6_d9 * covariance->elements[9 + 12 * 7]
+        + next_6_d10 * covariance->elements[10 + 12 * 7]
+        + next_6_d11 * covariance->elements[11 + 12 * 7];
+    const double row_6_8 = next_6_d6 * covariance->elements[6 + 12 * 8]
+        + next_6_d7 * covariance->elements[7 + 12 * 8]
+        + next_6_d9 * covariance->elements[9 + 12 * 8]
+        + next_6_d10 * covariance->elements[10 + 12 * 8]
+        + next_6_d11 * covariance->elements[11 + 12 * 8];
     const double row_7_6 = covariance->elements[7 + 12 * 6]
-        + next_d6_4 * covariance->elements[6 + 12 * 6]
-        + next_d10_2 * covariance->elements[10 + 12 * 6]
-        + next_d11_2 * covariance->elements[11 + 12 * 6];
+        + next_7_d6 * covariance->elements[6 + 12 * 6]
+        + next_7_d10 * covariance->elements[10 + 12 * 6]
+        + next_7_d11 * covariance->elements[11 + 12 * 6];
     const double row_7_7 = covariance->elements[7 + 12 * 7]
-        + next_d6_4 * covariance->elements[6 + 12 * 7]
-        + next_d10_2 * covariance->elements[10 + 12 * 7]
-        + next_d11_2 * covariance->elements[11 + 12 * 7];
+        + next_7_d6 * covariance->elements[6 + 12 * 7]
+        + next_7_d10 * covariance->elements[10 + 12 * 7]
+        + next_7_d11 * covariance->elements[11 + 12 * 7];
     const double row_7_8 = covariance->elements[7 + 12 * 8]
-        + next_d6_4 * covariance->elements[6 + 12 * 8]
-        + next_d10_2 * covariance->elements[10 + 12 * 8]
-        + next_d11_2 * covariance->elements[11 + 12 * 8];
+        + next_7_d6 * covariance->elements[6 + 12 * 8]
+        + next_7_d10 * covariance->elements[10 + 12 * 8]
+        + next_7_d11 * covariance->elements[11 + 12 * 8];
     const double row_8_6 = covariance->elements[8 + 12 * 6]
-        + next_d6_6 * covariance->elements[6 + 12 * 6]
-        + next_d7_5 * covariance->elements[7 + 12 * 6]
-        + next_d10_3 * covariance->elements[10 + 12 * 6]
-        + next_d11_3 * covariance->elements[11 + 12 * 6];
+        + next_8_d6 * covariance->elements[6 + 12 * 6]
+        + next_8_d7 * covariance->elements[7 + 12 * 6]
+        + next_8_d10 * covariance->elements[10 + 12 * 6]
+        + next_8_d11 * covariance->elements[11 + 12 * 6];
     const double row_8_7 = covariance->elements[8 + 12 * 7]
-        + next_d6_6 * covariance->elements[6 + 12 * 7]
-        + next_d7_5 * covariance->elements[7 + 12 * 7]
-        + next_d10_3 * covariance->elements[10 + 12 * 7]
-        + next_d11_3 * covariance->elements[11 + 12 * 7];
+        + next_8_d6 * covariance->elements[6 + 12 * 7]
+        + next_8_d7 * covariance->elements[7 + 12 * 7]
+        + next_8_d10 * covariance->elements[10 + 12 * 7]
+        + next_8_d11 * covariance->elements[11 + 12 * 7];
     const double row_8_8 = covariance->elements[8 + 12 * 8]
-        + next_d6_6 * covariance->elements[6 + 12 * 8]
-        + next_d7_5 * covariance->elements[7 + 12 * 8]
-        + next_d10_3 * covariance->elements[10 + 12 * 8]
-        + next_d11_3 * covariance->elements[11 + 12 * 8];
+        + next_8_d6 * covariance->elements[6 + 12 * 8]
+        + next_8_d7 * covariance->elements[7 + 12 * 8]
+        + next_8_d10 * covariance->elements[10 + 12 * 8]
+        + next_8_d11 * covariance->elements[11 + 12 * 8];
     for (uint32_t k = 0U; k < 6U; k++) {
-        const double row_6 = next_d6_2 * covariance->elements[6U + 12U * k]
-            + next_d7_2 * covariance->elements[7U + 12U * k]
-            + next_d9 * covariance->elements[9U + 12U * k]
-            + next_d10 * covariance->elements[10U + 12U * k]
-            + next_d11 * covariance->elements[11U + 12U * k];
+        const double row_6 = next_6_d6 * covariance->elements[6U + 12U * k]
+            + next_6_d7 * covariance->elements[7U + 12U * k]
+            + next_6_d9 * covariance->elements[9U + 12U * k]
+            + next_6_d10 * covariance->elements[10U + 12U * k]
+            + next_6_d11 * covariance->elements[11U + 12U * k];
         const double row_7 = covariance->elements[7U + 12U * k]
-            + next_d6_4 * covariance->elements[6U + 12U * k]
-            + next_d10_2 * covariance->elements[10U + 12U * k]
-            + next_d11_2 * covariance->elements[11U + 12U * k];
+            + next_7_d6 * covariance->elements[6U + 12U * k]
+            + next_7_d10 * covariance->elements[10U + 12U * k]
+            + next_7_d11 * covariance->elements[11U + 12U * k];
         const double row_8 = covariance->elements[8U + 12U * k]
-            + next_d6_6 * covariance->elements[6U + 12U * k]
-            + next_d7_5 * covariance->elements[7U + 12U * k]
-            + next_d10_3 * covariance->elements[10U + 12U * k]
-            + next_d11_3 * covariance->elements[11U + 12U * k];
+            + next_8_d6 * covariance->elements[6U + 12U * k]
+            + next_8_d7 * covariance->elements[7U + 12U * k]
+            + next_8_d10 * covariance->elements[10U + 12U * k]
+            + next_8_d11 * covariance->elements[11U + 12U * k];
         covariance->elements[6U + 12U * k] = row_6;
         covariance->elements[k + 12U * 6U] = row_6;
         covariance->elements[7U + 12U * k] = row_7;
@@ -302,20 +309,20 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
         covariance->elements[k + 12U * 8U] = row_8;
     }
     for (uint32_t k = 9U; k < 12U; k++) {
-        const double row_6 = next_d6_2 * covariance->elements[6U + 12U * k]
-            + next_d7_2 * covariance->elements[7U + 12U * k]
-            + next_d9 * covariance->elements[9U + 12U * k]
-            + next_d10 * covariance->elements[10U + 12U * k]
-            + next_d11 * covariance->elements[11U + 12U * k];
+        const double row_6 = next_6_d6 * covariance->elements[6U + 12U * k]
+            + next_6_d7 * covariance->elements[7U + 12U * k]
+            + next_6_d9 * covariance->elements[9U + 12U * k]
+            + next_6_d10 * covariance->elements[10U + 12U * k]
+            + next_6_d11 * covariance->elements[11U + 12U * k];
         const double row_7 = covariance->elements[7U + 12U * k]
-            + next_d6_4 * covariance->elements[6U + 12U * k]
-            + next_d10_2 * covariance->elements[10U + 12U * k]
-            + next_d11_2 * covariance->elements[11U + 12U * k];
+            + next_7_d6 * covariance->elements[6U + 12U * k]
+            + next_7_d10 * covariance->elements[10U + 12U * k]
+            + next_7_d11 * covariance->elements[11U + 12U * k];
         const double row_8 = covariance->elements[8U + 12U * k]
-            + next_d6_6 * covariance->elements[6U + 12U * k]
-            + next_d7_5 * covariance->elements[7U + 12U * k]
-            + next_d10_3 * covariance->elements[10U + 12U * k]
-            + next_d11_3 * covariance->elements[11U + 12U * k];
+            + next_8_d6 * covariance->elements[6U + 12U * k]
+            + next_8_d7 * covariance->elements[7U + 12U * k]
+            + next_8_d10 * covariance->elements[10U + 12U * k]
+            + next_8_d11 * covariance->elements[11U + 12U * k];
         covariance->elements[6U + 12U * k] = row_6;
         covariance->elements[k + 12U * 6U] = row_6;
         covariance->elements[7U + 12U * k] = row_7;
@@ -323,42 +330,43 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
         covariance->elements[8U + 12U * k] = row_8;
         covariance->elements[k + 12U * 8U] = row_8;
     }
-    const double block_6_6 = next_d6_2 * row_6_6 + next_d7_2 * row_6_7
-        + next_d9 * covariance->elements[6 + 12 * 9] + next_d10 * covariance->elements[6 + 12 * 10]
-        + next_d11 * covariance->elements[6 + 12 * 11];
+    const double block_6_6 = next_6_d6 * row_6_6 + next_6_d7 * row_6_7
+        + next_6_d9 * covariance->elements[6 + 12 * 9]
+        + next_6_d10 * covariance->elements[6 + 12 * 10]
+        + next_6_d11 * covariance->elements[6 + 12 * 11];
     covariance->elements[6 + 12 * 6] = block_6_6;
-    const double block_7_6 = row_6_7 + next_d6_4 * row_6_6
-        + next_d10_2 * covariance->elements[6 + 12 * 10]
-        + next_d11_2 * covariance->elements[6 + 12 * 11];
+    const double block_7_6 = row_6_7 + next_7_d6 * row_6_6
+        + next_7_d10 * covariance->elements[6 + 12 * 10]
+        + next_7_d11 * covariance->elements[6 + 12 * 11];
     covariance->elements[7 + 12 * 6] = block_7_6;
     covariance->elements[6 + 12 * 7] = block_7_6;
-    const double block_7_7 = row_7_7 + next_d6_4 * row_7_6
-        + next_d10_2 * covariance->elements[7 + 12 * 10]
-        + next_d11_2 * covariance->elements[7 + 12 * 11];
+    const double block_7_7 = row_7_7 + next_7_d6 * row_7_6
+        + next_7_d10 * covariance->elements[7 + 12 * 10]
+        + next_7_d11 * covariance->elements[7 + 12 * 11];
     covariance->elements[7 + 12 * 7] = block_7_7;
-    const double block_8_6 = row_6_8 + next_d6_6 * row_6_6 + next_d7_5 * row_6_7
-        + next_d10_3 * covariance->elements[6 + 12 * 10]
-        + next_d11_3 * covariance->elements[6 + 12 * 11];
+    const double block_8_6 = row_6_8 + next_8_d6 * row_6_6 + next_8_d7 * row_6_7
+        + next_8_d10 * covariance->elements[6 + 12 * 10]
+        + next_8_d11 * covariance->elements[6 + 12 * 11];
     covariance->elements[8 + 12 * 6] = block_8_6;
     covariance->elements[6 + 12 * 8] = block_8_6;
-    const double block_8_7 = row_7_8 + next_d6_6 * row_7_6 + next_d7_5 * row_7_7
-        + next_d10_3 * covariance->elements[7 + 12 * 10]
-        + next_d11_3 * covariance->elements[7 + 12 * 11];
+    const double block_8_7 = row_7_8 + next_8_d6 * row_7_6 + next_8_d7 * row_7_7
+        + next_8_d10 * covariance->elements[7 + 12 * 10]
+        + next_8_d11 * covariance->elements[7 + 12 * 11];
     covariance->elements[8 + 12 * 7] = block_8_7;
     covariance->elements[7 + 12 * 8] = block_8_7;
-    const double block_8_8 = row_8_8 + next_d6_6 * row_8_6 + next_d7_5 * row_8_7
-        + next_d10_3 * covariance->elements[8 + 12 * 10]
-        + next_d11_3 * covariance->elements[8 + 12 * 11];
+    const double block_8_8 = row_8_8 + next_8_d6 * row_8_6 + next_8_d7 * row_8_7
+        + next_8_d10 * covariance->elements[8 + 12 * 10]
+        + next_8_d11 * covariance->elements[8 + 12 * 11];
     covariance->elements[8 + 12 * 8] = block_8_8;
-    result[0] = next;
-    result[1] = next_4;
-    result[2] = next_7;
-    result[3] = next_2;
-    result[4] = next_5;
-    result[5] = next_8;
-    result[6] = next_3;
-    result[7] = next_6;
-    result[8] = next_9;
+    result[0] = next_0;
+    result[1] = next_1;
+    result[2] = next_2;
+    result[3] = next_3;
+    result[4] = next_4;
+    result[5] = next_5;
+    result[6] = next_6;
+    result[7] = next_7;
+    result[8] = next_8;
     result[9] = state[9];
     result[10] = state[10];
     result[11] = state[11];

@@ -49,18 +49,18 @@ void derivatives_advanced_jacobian(const double state[4], double push, double pe
     const double braking = drag * state[2];
     const double braking_d2 = state[2] * drag_d2 + drag;
     const double braking_d3 = state[2] * drag_d3;
-    const double next = state[0] + period * state[2];
+    const double next_0 = state[0] + period * state[2];
     const double next_2 = state[2] - period * braking;
-    const double next_d2 = 1.0 - period * braking_d2;
-    const double next_d3 = -(period * braking_d3);
+    const double next_2_d2 = 1.0 - period * braking_d2;
+    const double next_2_d3 = -(period * braking_d3);
     const double braking_2 = drag * state[3];
     const double braking_d2_2 = state[3] * drag_d2;
     const double braking_d3_2 = state[3] * drag_d3 + drag;
-    const double next_3 = state[1] + period * state[3];
-    const double next_4 = state[3] - period * braking_2;
-    const double next_d2_2 = -(period * braking_d2_2);
-    const double next_d3_2 = 1.0 - period * braking_d3_2;
-    const double next_5 = next_2 + period * push;
+    const double next_1 = state[1] + period * state[3];
+    const double next_3 = state[3] - period * braking_2;
+    const double next_3_d2 = -(period * braking_d2_2);
+    const double next_3_d3 = 1.0 - period * braking_d3_2;
+    const double next_2_2 = next_2 + period * push;
     for (uint32_t i = 0U; i < 16U; i++) {
         result->second[i] = 0.0;
     }
@@ -68,19 +68,19 @@ void derivatives_advanced_jacobian(const double state[4], double push, double pe
     result->second[0 + 4 * 2] = period;
     result->second[1 + 4 * 1] = 1.0;
     result->second[1 + 4 * 3] = period;
-    result->second[2 + 4 * 2] = next_d2;
-    result->second[2 + 4 * 3] = next_d3;
-    result->second[3 + 4 * 2] = next_d2_2;
-    result->second[3 + 4 * 3] = next_d3_2;
+    result->second[2 + 4 * 2] = next_2_d2;
+    result->second[2 + 4 * 3] = next_2_d3;
+    result->second[3 + 4 * 2] = next_3_d2;
+    result->second[3 + 4 * 3] = next_3_d3;
     result->third[0] = 0.0;
     result->third[1] = 0.0;
     result->third[2] = 0.0;
     result->third[3] = 0.0;
     result->third[2] = period;
-    result->first[0] = next;
-    result->first[1] = next_3;
-    result->first[2] = next_5;
-    result->first[3] = next_4;
+    result->first[0] = next_0;
+    result->first[1] = next_1;
+    result->first[2] = next_2_2;
+    result->first[3] = next_3;
 }
 
 void derivatives_seen(const double place[2], const double beacon[2],

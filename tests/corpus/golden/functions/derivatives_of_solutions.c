@@ -128,23 +128,23 @@ void derivatives_of_solutions_surprise_gradient(const double s[4], const double 
             0.0, 1.0
         };
         cholesky_solve_f64_2x5(lower, solution_d);
-        const double x = difference[0] * solution[0] + difference[1] * solution[1];
-        const double x_d0 = difference[0] * solution_d[0 + 2 * 0]
+        const double result_2 = difference[0] * solution[0] + difference[1] * solution[1];
+        const double result_d0_2 = difference[0] * solution_d[0 + 2 * 0]
             + difference[1] * solution_d[1 + 2 * 0];
-        const double x_d1 = difference[0] * solution_d[0 + 2 * 1]
+        const double result_d1_2 = difference[0] * solution_d[0 + 2 * 1]
             + difference[1] * solution_d[1 + 2 * 1];
-        const double x_d3 = difference[0] * solution_d[0 + 2 * 2]
+        const double result_d3_2 = difference[0] * solution_d[0 + 2 * 2]
             + difference[1] * solution_d[1 + 2 * 2];
-        const double x_d4 = solution[0] + difference[0] * solution_d[0 + 2 * 3]
+        const double result_d4_2 = solution[0] + difference[0] * solution_d[0 + 2 * 3]
             + difference[1] * solution_d[1 + 2 * 3];
-        const double x_d5 = difference[0] * solution_d[0 + 2 * 4]
+        const double result_d5_2 = difference[0] * solution_d[0 + 2 * 4]
             + (solution[1] + difference[1] * solution_d[1 + 2 * 4]);
-        result_value = x;
-        result_d0 = x_d0;
-        result_d1 = x_d1;
-        result_d3 = x_d3;
-        result_d4 = x_d4;
-        result_d5 = x_d5;
+        result_value = result_2;
+        result_d0 = result_d0_2;
+        result_d1 = result_d1_2;
+        result_d3 = result_d3_2;
+        result_d4 = result_d4_2;
+        result_d5 = result_d5_2;
     } else {
         const double result_2 = -1.0;
         result_value = result_2;
@@ -289,29 +289,29 @@ void derivatives_of_solutions_determinants(const double a[16], double shift,
 void derivatives_of_solutions_determinant_slopes(const double a[16], double shift,
     pair_vector2_f64_vector2_f64_t *BESSEMER_RESTRICT result)
 {
-    const double shifted = a[0 + 4 * 0] + shift;
-    const double shifted_2 = a[1 + 4 * 1] + shift;
-    const double shifted_3 = a[2 + 4 * 2] + shift;
-    const double shifted_4 = a[3 + 4 * 3] + shift;
+    const double shifted_0 = a[0 + 4 * 0] + shift;
+    const double shifted_5 = a[1 + 4 * 1] + shift;
+    const double shifted_10 = a[2 + 4 * 2] + shift;
+    const double shifted_15 = a[3 + 4 * 3] + shift;
     const double matrix[16] = {
-        shifted, a[1 + 4 * 0], a[2 + 4 * 0], a[3 + 4 * 0],
-        a[0 + 4 * 1], shifted_2, a[2 + 4 * 1], a[3 + 4 * 1],
-        a[0 + 4 * 2], a[1 + 4 * 2], shifted_3, a[3 + 4 * 2],
-        a[0 + 4 * 3], a[1 + 4 * 3], a[2 + 4 * 3], shifted_4
+        shifted_0, a[1 + 4 * 0], a[2 + 4 * 0], a[3 + 4 * 0],
+        a[0 + 4 * 1], shifted_5, a[2 + 4 * 1], a[3 + 4 * 1],
+        a[0 + 4 * 2], a[1 + 4 * 2], shifted_10, a[3 + 4 * 2],
+        a[0 + 4 * 3], a[1 + 4 * 3], a[2 + 4 * 3], shifted_15
     };
     const double determinant = determinant_f64_4(matrix);
     double inverse[16];
     (void)memcpy(inverse, BESSEMER_IDENTITY_4, sizeof(double[16]));
     (void)solve_f64_4x4(matrix, inverse);
-    const double minor = shifted_2 * shifted_3 - a[2 + 4 * 1] * a[1 + 4 * 2];
-    const double minor_d0 = shifted_3 + shifted_2;
-    const double minor_2 = a[1 + 4 * 0] * shifted_3 - a[2 + 4 * 0] * a[1 + 4 * 2];
-    const double minor_3 = a[1 + 4 * 0] * a[2 + 4 * 1] - a[2 + 4 * 0] * shifted_2;
+    const double minor = shifted_5 * shifted_10 - a[2 + 4 * 1] * a[1 + 4 * 2];
+    const double minor_d0 = shifted_10 + shifted_5;
+    const double minor_2 = a[1 + 4 * 0] * shifted_10 - a[2 + 4 * 0] * a[1 + 4 * 2];
+    const double minor_3 = a[1 + 4 * 0] * a[2 + 4 * 1] - a[2 + 4 * 0] * shifted_5;
     const double minor_d0_2 = -a[2 + 4 * 0];
     const double result_0_d0 = determinant
         * (inverse[0 + 4 * 0] + inverse[1 + 4 * 1] + inverse[2 + 4 * 2] + inverse[3 + 4 * 3]);
-    const double result_1 = shifted * minor - a[0 + 4 * 1] * minor_2 + a[0 + 4 * 2] * minor_3;
-    const double result_1_d0 = minor + shifted * minor_d0 - a[0 + 4 * 1] * a[1 + 4 * 0]
+    const double result_1 = shifted_0 * minor - a[0 + 4 * 1] * minor_2 + a[0 + 4 * 2] * minor_3;
+    const double result_1_d0 = minor + shifted_0 * minor_d0 - a[0 + 4 * 1] * a[1 + 4 * 0]
         + a[0 + 4 * 2] * minor_d0_2;
     result->second[0] = result_0_d0;
     result->second[1] = result_1_d0;

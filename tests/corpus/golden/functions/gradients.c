@@ -80,26 +80,26 @@ void gradients_rollout_gradient(const double start[2], const double torques[50],
         }
         const double sin_state_0 = sine_sin(state_0_before);
         const double torques_at = torques[k];
-        const double result_1 = torques_at - sin_state_0 - drag;
-        const double result_0 = state_1_before * 0.05;
-        const double result_1_2 = result_1 * 0.05;
-        const double state_0_2 = state_0_before + result_0;
-        state_0_kept_2[k] = state_0_2;
-        const double state_1_2 = state_1_before + result_1_2;
-        state_1_kept_2[k] = state_1_2;
+        const double rate_1 = torques_at - sin_state_0 - drag;
+        const double state_0_2 = state_1_before * 0.05;
+        const double state_1_2 = rate_1 * 0.05;
+        const double state_0_3 = state_0_before + state_0_2;
+        state_0_kept_2[k] = state_0_3;
+        const double state_1_3 = state_1_before + state_1_2;
+        state_1_kept_2[k] = state_1_3;
         const double cost_2 = 0.01 * torques_at;
         const double cost_3 = cost_before + cost_2 * torques_at;
-        if (state_0_2 > 4.0) {
-            state_0 = state_0_2;
-            state_1 = state_1_2;
+        if (state_0_3 > 4.0) {
+            state_0 = state_0_3;
+            state_1 = state_1_3;
             cost = cost_3;
             break;
         } else {
-            const double cost_4 = fabs(state_1_2);
+            const double cost_4 = fabs(state_1_3);
             cost_kept[k] = cost_4;
             const double cost_5 = cost_3 + cost_4 * 0.001;
-            state_0 = state_0_2;
-            state_1 = state_1_2;
+            state_0 = state_0_3;
+            state_1 = state_1_3;
             cost = cost_5;
         }
     }
@@ -128,13 +128,13 @@ void gradients_rollout_gradient(const double start[2], const double torques[50],
                 state_1_bar_2 = state_1_bar + slope_d0 * cost_bar_2;
             }
             const double cost_bar_2 = torques[k] * cost_bar;
-            const double result_1_bar = 0.05 * state_1_bar_2;
+            const double rate_1_bar = 0.05 * state_1_bar_2;
             const double torques_at_bar = 0.01 * torques[k] * cost_bar + 0.01 * cost_bar_2
-                + result_1_bar;
+                + rate_1_bar;
             result->third[k] = torques_at_bar;
-            const double sin_state_0_bar = -result_1_bar;
+            const double sin_state_0_bar = -rate_1_bar;
             const double cos_state_0_before = sine_cos(state_0_kept[k]);
-            const double drag_bar = -result_1_bar;
+            const double drag_bar = -rate_1_bar;
             double state_1_before_bar;
             if (state_1_kept[k] > 1.0) {
                 const double drag_bar_2 = state_1_kept[k] * drag_bar;
@@ -171,26 +171,26 @@ float gradients_misfit(const float line[2], const float covariance[4])
 void gradients_misfit_gradient(const float line[2], const float covariance[4],
     triple_f32_vector2_f32_matrix2x2_f32_t *BESSEMER_RESTRICT result)
 {
-    float x = 0.0F;
-    float x_2 = 0.0F;
+    float result_value = 0.0F;
+    float result_2 = 0.0F;
     float solution[2] = {0.0F, 0.0F};
     const float residual_0 = line[0] - 1.0F;
     const float residual_1 = line[0] * line[1] + 0.5F;
     float lower[4];
     cholesky_lower_f32_2(covariance, lower);
     const bool factor_0 = lower[0 + 2 * 0] > 0.0F;
-    float result_value;
+    float result_3;
     if (factor_0) {
         solution[0] = residual_0;
         solution[1] = residual_1;
         cholesky_solve_f32_2(lower, solution);
-        x_2 = solution[0];
-        x = solution[1];
-        const float x_3 = residual_0 * x_2 + residual_1 * x;
-        result_value = x_3;
+        result_2 = solution[0];
+        result_value = solution[1];
+        const float result_4 = residual_0 * result_2 + residual_1 * result_value;
+        result_3 = result_4;
     } else {
-        const float result_2 = 0.0F + (residual_0 * residual_0 + residual_1 * residual_1);
-        result_value = result_2;
+        const float result_4 = 0.0F + (residual_0 * residual_0 + residual_1 * residual_1);
+        result_3 = result_4;
     }
     float residual_0_bar;
     float residual_1_bar;
@@ -200,8 +200,8 @@ void gradients_misfit_gradient(const float line[2], const float covariance[4],
     if (factor_0) {
         float solution_bar[2] = {residual_0, residual_1};
         cholesky_solve_f32_2(lower, solution_bar);
-        residual_0_bar = x_2 + solution_bar[0];
-        residual_1_bar = x + solution_bar[1];
+        residual_0_bar = result_2 + solution_bar[0];
+        residual_1_bar = result_value + solution_bar[1];
         lower_bar = -(solution_bar[0] * solution[0]);
         lower_bar_2 = -(solution_bar[1] * solution[0] + solution_bar[0] * solution[1]);
         lower_bar_3 = -(solution_bar[1] * solution[1]);
@@ -212,7 +212,7 @@ void gradients_misfit_gradient(const float line[2], const float covariance[4],
         lower_bar_2 = 0.0F;
         lower_bar_3 = 0.0F;
     }
-    result->first = result_value;
+    result->first = result_3;
     result->second[0] = line[1] * residual_1_bar + residual_0_bar;
     result->second[1] = line[0] * residual_1_bar;
     result->third[0 + 2 * 0] = lower_bar;
@@ -252,24 +252,24 @@ void gradients_hessian_product(const float line[2], const float way[2], float le
     float lower[4];
     cholesky_lower_f32_2(lower_matrix, lower);
     const bool factor_0 = lower[0 + 2 * 0] > 0.0F;
-    float x_2;
-    float x_2_d0;
-    float x;
-    float x_d0;
+    float result_2;
+    float result_2_d0;
+    float result_value;
+    float result_d0;
     if (factor_0) {
         float solution[2] = {residual_0, residual_1};
         cholesky_solve_f32_2(lower, solution);
         float solution_d[2] = {way[0], residual_1_d0};
         cholesky_solve_f32_2(lower, solution_d);
-        x_2 = solution[0];
-        x_2_d0 = solution_d[0];
-        x = solution[1];
-        x_d0 = solution_d[1];
+        result_2 = solution[0];
+        result_2_d0 = solution_d[0];
+        result_value = solution[1];
+        result_d0 = solution_d[1];
     } else {
-        x_2 = 0.0F;
-        x_2_d0 = 0.0F;
-        x = 0.0F;
-        x_d0 = 0.0F;
+        result_2 = 0.0F;
+        result_2_d0 = 0.0F;
+        result_value = 0.0F;
+        result_d0 = 0.0F;
     }
     float residual_0_bar;
     float residual_0_bar_d0;
@@ -280,10 +280,10 @@ void gradients_hessian_product(const float line[2], const float way[2], float le
         cholesky_solve_f32_2(lower, solution);
         float solution_d[2] = {way[0], residual_1_d0};
         cholesky_solve_f32_2(lower, solution_d);
-        const float residual_0_bar_2 = x_2 + solution[0];
-        const float residual_0_bar_d0_2 = x_2_d0 + solution_d[0];
-        const float residual_1_bar_2 = x + solution[1];
-        const float residual_1_bar_d0_2 = x_d0 + solution_d[1];
+        const float residual_0_bar_2 = result_2 + solution[0];
+        const float residual_0_bar_d0_2 = result_2_d0 + solution_d[0];
+        const float residual_1_bar_2 = result_value + solution[1];
+        const float residual_1_bar_d0_2 = result_d0 + solution_d[1];
         residual_0_bar = residual_0_bar_2;
         residual_0_bar_d0 = residual_0_bar_d0_2;
         residual_1_bar = residual_1_bar_2;
@@ -298,13 +298,13 @@ void gradients_hessian_product(const float line[2], const float way[2], float le
         residual_1_bar = residual_1_bar_2;
         residual_1_bar_d0 = residual_1_bar_d0_2;
     }
-    const float result_1_0 = line_1 * residual_1_bar + residual_0_bar;
-    const float result_1_0_d0 = residual_1_bar * way[1] + line_1 * residual_1_bar_d0
+    const float pair_1_0 = line_1 * residual_1_bar + residual_0_bar;
+    const float pair_1_0_d0 = residual_1_bar * way[1] + line_1 * residual_1_bar_d0
         + residual_0_bar_d0;
-    const float result_1_1 = line_0 * residual_1_bar;
-    const float result_1_1_d0 = residual_1_bar * way[0] + line_0 * residual_1_bar_d0;
-    result->second[0] = result_1_0_d0;
-    result->second[1] = result_1_1_d0;
-    result->first[0] = result_1_0;
-    result->first[1] = result_1_1;
+    const float pair_1_1 = line_0 * residual_1_bar;
+    const float pair_1_1_d0 = residual_1_bar * way[0] + line_0 * residual_1_bar_d0;
+    result->second[0] = pair_1_0_d0;
+    result->second[1] = pair_1_1_d0;
+    result->first[0] = pair_1_0;
+    result->first[1] = pair_1_1;
 }

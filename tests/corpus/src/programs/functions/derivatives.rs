@@ -47,30 +47,30 @@ pub fn advanced_jacobian(
     let braking = drag * state[2];
     let braking_d2 = state[2] * drag_d2 + drag;
     let braking_d3 = state[2] * drag_d3;
-    let next = state[0] + period * state[2];
+    let next_0 = state[0] + period * state[2];
     let next_2 = state[2] - period * braking;
-    let next_d2 = 1.0 - period * braking_d2;
-    let next_d3 = -(period * braking_d3);
+    let next_2_d2 = 1.0 - period * braking_d2;
+    let next_2_d3 = -(period * braking_d3);
     let braking_2 = drag * state[3];
     let braking_d2_2 = state[3] * drag_d2;
     let braking_d3_2 = state[3] * drag_d3 + drag;
-    let next_3 = state[1] + period * state[3];
-    let next_4 = state[3] - period * braking_2;
-    let next_d2_2 = -(period * braking_d2_2);
-    let next_d3_2 = 1.0 - period * braking_d3_2;
-    let next_5 = next_2 + period * push;
+    let next_1 = state[1] + period * state[3];
+    let next_3 = state[3] - period * braking_2;
+    let next_3_d2 = -(period * braking_d2_2);
+    let next_3_d3 = 1.0 - period * braking_d3_2;
+    let next_2_2 = next_2 + period * push;
     let mut jacobian: SMatrix<f64, 4, 4> = SMatrix::zeros();
     jacobian[(0, 0)] = 1.0;
     jacobian[(0, 2)] = period;
     jacobian[(1, 1)] = 1.0;
     jacobian[(1, 3)] = period;
-    jacobian[(2, 2)] = next_d2;
-    jacobian[(2, 3)] = next_d3;
-    jacobian[(3, 2)] = next_d2_2;
-    jacobian[(3, 3)] = next_d3_2;
+    jacobian[(2, 2)] = next_2_d2;
+    jacobian[(2, 3)] = next_2_d3;
+    jacobian[(3, 2)] = next_3_d2;
+    jacobian[(3, 3)] = next_3_d3;
     let mut jacobian_2: SVector<f64, 4> = SVector::zeros();
     jacobian_2[2] = period;
-    (vector![next, next_3, next_5, next_4], jacobian, jacobian_2)
+    (vector![next_0, next_1, next_2_2, next_3], jacobian, jacobian_2)
 }
 
 /// Range, m, and bearing, rad, of a place seen from a beacon.

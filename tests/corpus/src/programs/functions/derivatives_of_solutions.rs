@@ -100,18 +100,18 @@ pub fn surprise_gradient(
         bessemer::linear::kernels::cholesky_solve_mut(&lower, &mut solution);
         let mut solution_d = matrix![-solution[0], -solution[1], 0.0, 1.0, 0.0; 0.0, -solution[0], -solution[1], 0.0, 1.0];
         bessemer::linear::kernels::cholesky_solve_mut(&lower, &mut solution_d);
-        let x = difference[0] * solution[0] + difference[1] * solution[1];
-        let x_d0 = difference[0] * solution_d[(0, 0)] + difference[1] * solution_d[(1, 0)];
-        let x_d1 = difference[0] * solution_d[(0, 1)] + difference[1] * solution_d[(1, 1)];
-        let x_d3 = difference[0] * solution_d[(0, 2)] + difference[1] * solution_d[(1, 2)];
-        let x_d4 = solution[0] + difference[0] * solution_d[(0, 3)] + difference[1] * solution_d[(1, 3)];
-        let x_d5 = difference[0] * solution_d[(0, 4)] + (solution[1] + difference[1] * solution_d[(1, 4)]);
-        result = x;
-        result_d0 = x_d0;
-        result_d1 = x_d1;
-        result_d3 = x_d3;
-        result_d4 = x_d4;
-        result_d5 = x_d5;
+        let result_2 = difference[0] * solution[0] + difference[1] * solution[1];
+        let result_d0_2 = difference[0] * solution_d[(0, 0)] + difference[1] * solution_d[(1, 0)];
+        let result_d1_2 = difference[0] * solution_d[(0, 1)] + difference[1] * solution_d[(1, 1)];
+        let result_d3_2 = difference[0] * solution_d[(0, 2)] + difference[1] * solution_d[(1, 2)];
+        let result_d4_2 = solution[0] + difference[0] * solution_d[(0, 3)] + difference[1] * solution_d[(1, 3)];
+        let result_d5_2 = difference[0] * solution_d[(0, 4)] + (solution[1] + difference[1] * solution_d[(1, 4)]);
+        result = result_2;
+        result_d0 = result_d0_2;
+        result_d1 = result_d1_2;
+        result_d3 = result_d3_2;
+        result_d4 = result_d4_2;
+        result_d5 = result_d5_2;
     } else {
         let result_2 = -1.0;
         result = result_2;
@@ -205,22 +205,22 @@ pub fn determinants(a: &Matrix4<f64>, shift: f64) -> Vector2<f64> {
 /// The determinants with their slopes.
 #[function(derivative(determinants, shift))]
 pub fn determinant_slopes(a: &Matrix4<f64>, shift: f64) -> (Vector2<f64>, Vector2<f64>) {
-    let shifted = a[(0, 0)] + shift;
-    let shifted_2 = a[(1, 1)] + shift;
-    let shifted_3 = a[(2, 2)] + shift;
-    let shifted_4 = a[(3, 3)] + shift;
-    let matrix = matrix![shifted, a[(0, 1)], a[(0, 2)], a[(0, 3)]; a[(1, 0)], shifted_2, a[(1, 2)], a[(1, 3)]; a[(2, 0)], a[(2, 1)], shifted_3, a[(2, 3)]; a[(3, 0)], a[(3, 1)], a[(3, 2)], shifted_4];
+    let shifted_0 = a[(0, 0)] + shift;
+    let shifted_5 = a[(1, 1)] + shift;
+    let shifted_10 = a[(2, 2)] + shift;
+    let shifted_15 = a[(3, 3)] + shift;
+    let matrix = matrix![shifted_0, a[(0, 1)], a[(0, 2)], a[(0, 3)]; a[(1, 0)], shifted_5, a[(1, 2)], a[(1, 3)]; a[(2, 0)], a[(2, 1)], shifted_10, a[(2, 3)]; a[(3, 0)], a[(3, 1)], a[(3, 2)], shifted_15];
     let determinant = bessemer::linear::kernels::determinant(&matrix);
     let mut inverse = matrix![1.0, 0.0, 0.0, 0.0; 0.0, 1.0, 0.0, 0.0; 0.0, 0.0, 1.0, 0.0; 0.0, 0.0, 0.0, 1.0];
     bessemer::solve_into(&matrix, &mut inverse);
-    let minor = shifted_2 * shifted_3 - a[(2, 1)] * a[(1, 2)];
-    let minor_d0 = shifted_3 + shifted_2;
-    let minor_2 = a[(1, 0)] * shifted_3 - a[(2, 0)] * a[(1, 2)];
-    let minor_3 = a[(1, 0)] * a[(2, 1)] - a[(2, 0)] * shifted_2;
+    let minor = shifted_5 * shifted_10 - a[(2, 1)] * a[(1, 2)];
+    let minor_d0 = shifted_10 + shifted_5;
+    let minor_2 = a[(1, 0)] * shifted_10 - a[(2, 0)] * a[(1, 2)];
+    let minor_3 = a[(1, 0)] * a[(2, 1)] - a[(2, 0)] * shifted_5;
     let minor_d0_2 = -a[(2, 0)];
     let result_0_d0 = determinant * (inverse[(0, 0)] + inverse[(1, 1)] + inverse[(2, 2)] + inverse[(3, 3)]);
-    let result_1 = shifted * minor - a[(0, 1)] * minor_2 + a[(0, 2)] * minor_3;
-    let result_1_d0 = minor + shifted * minor_d0 - a[(0, 1)] * a[(1, 0)] + a[(0, 2)] * minor_d0_2;
+    let result_1 = shifted_0 * minor - a[(0, 1)] * minor_2 + a[(0, 2)] * minor_3;
+    let result_1_d0 = minor + shifted_0 * minor_d0 - a[(0, 1)] * a[(1, 0)] + a[(0, 2)] * minor_d0_2;
     let mut jacobian: SVector<f64, 2> = SVector::zeros();
     jacobian[0] = result_0_d0;
     jacobian[1] = result_1_d0;

@@ -60,26 +60,26 @@ pub fn rollout_gradient(
         }
         let sin_state_0 = state_0_before.sin();
         let torques_at = torques[k];
-        let result_1 = torques_at - sin_state_0 - drag;
-        let result_0 = state_1_before * 0.05;
-        let result_1_2 = result_1 * 0.05;
-        let state_0_2 = state_0_before + result_0;
-        state_0_kept_2[k] = state_0_2;
-        let state_1_2 = state_1_before + result_1_2;
-        state_1_kept_2[k] = state_1_2;
+        let rate_1 = torques_at - sin_state_0 - drag;
+        let state_0_2 = state_1_before * 0.05;
+        let state_1_2 = rate_1 * 0.05;
+        let state_0_3 = state_0_before + state_0_2;
+        state_0_kept_2[k] = state_0_3;
+        let state_1_3 = state_1_before + state_1_2;
+        state_1_kept_2[k] = state_1_3;
         let cost_2 = 0.01 * torques_at;
         let cost_3 = cost_before + cost_2 * torques_at;
-        if state_0_2 > 4.0 {
-            state_0 = state_0_2;
-            state_1 = state_1_2;
+        if state_0_3 > 4.0 {
+            state_0 = state_0_3;
+            state_1 = state_1_3;
             cost = cost_3;
             break;
         } else {
-            let cost_4 = state_1_2.abs();
+            let cost_4 = state_1_3.abs();
             cost_kept[k] = cost_4;
             let cost_5 = cost_3 + cost_4 * 0.001;
-            state_0 = state_0_2;
-            state_1 = state_1_2;
+            state_0 = state_0_3;
+            state_1 = state_1_3;
             cost = cost_5;
         }
     }
@@ -106,12 +106,12 @@ pub fn rollout_gradient(
                 state_1_bar_2 = state_1_bar + slope_d0 * cost_bar_2;
             }
             let cost_bar_2 = torques[k] * cost_bar;
-            let result_1_bar = 0.05 * state_1_bar_2;
-            let torques_at_bar = 0.01 * torques[k] * cost_bar + 0.01 * cost_bar_2 + result_1_bar;
+            let rate_1_bar = 0.05 * state_1_bar_2;
+            let torques_at_bar = 0.01 * torques[k] * cost_bar + 0.01 * cost_bar_2 + rate_1_bar;
             torques_bar[k] = torques_at_bar;
-            let sin_state_0_bar = -result_1_bar;
+            let sin_state_0_bar = -rate_1_bar;
             let cos_state_0_before = state_0_kept[k].cos();
-            let drag_bar = -result_1_bar;
+            let drag_bar = -rate_1_bar;
             let state_1_before_bar: f64;
             if state_1_kept[k] > 1.0 {
                 let drag_bar_2 = state_1_kept[k] * drag_bar;
@@ -144,24 +144,24 @@ pub fn misfit_gradient(
     line: &Vector2<f32>,
     covariance: &Matrix2<f32>,
 ) -> (f32, Vector2<f32>, Matrix2<f32>) {
-    let mut x: f32 = 0.0;
-    let mut x_2: f32 = 0.0;
+    let mut result: f32 = 0.0;
+    let mut result_2: f32 = 0.0;
     let mut solution: SVector<f32, 2> = SVector::zeros();
     let residual_0 = line[0] - 1.0;
     let residual_1 = line[0] * line[1] + 0.5;
     let lower = bessemer::linear::kernels::cholesky_lower(covariance);
     let factor_0 = lower[(0, 0)] > 0.0;
-    let result: f32;
+    let result_3: f32;
     if factor_0 {
         solution = vector![residual_0, residual_1];
         bessemer::linear::kernels::cholesky_solve_mut(&lower, &mut solution);
-        x_2 = solution[0];
-        x = solution[1];
-        let x_3 = residual_0 * x_2 + residual_1 * x;
-        result = x_3;
+        result_2 = solution[0];
+        result = solution[1];
+        let result_4 = residual_0 * result_2 + residual_1 * result;
+        result_3 = result_4;
     } else {
-        let result_2 = 0.0 + (residual_0 * residual_0 + residual_1 * residual_1);
-        result = result_2;
+        let result_4 = 0.0 + (residual_0 * residual_0 + residual_1 * residual_1);
+        result_3 = result_4;
     }
     let residual_0_bar: f32;
     let residual_1_bar: f32;
@@ -171,8 +171,8 @@ pub fn misfit_gradient(
     if factor_0 {
         let mut solution_bar = vector![residual_0, residual_1];
         bessemer::linear::kernels::cholesky_solve_mut(&lower, &mut solution_bar);
-        residual_0_bar = x_2 + solution_bar[0];
-        residual_1_bar = x + solution_bar[1];
+        residual_0_bar = result_2 + solution_bar[0];
+        residual_1_bar = result + solution_bar[1];
         lower_bar = -(solution_bar[0] * solution[0]);
         lower_bar_2 = -(solution_bar[1] * solution[0] + solution_bar[0] * solution[1]);
         lower_bar_3 = -(solution_bar[1] * solution[1]);
@@ -183,7 +183,7 @@ pub fn misfit_gradient(
         lower_bar_2 = 0.0;
         lower_bar_3 = 0.0;
     }
-    (result, vector![line[1] * residual_1_bar + residual_0_bar, line[0] * residual_1_bar], matrix![lower_bar, 0.0; lower_bar_2, lower_bar_3])
+    (result_3, vector![line[1] * residual_1_bar + residual_0_bar, line[0] * residual_1_bar], matrix![lower_bar, 0.0; lower_bar_2, lower_bar_3])
 }
 
 /// The gradient at a point of a straight way through it.
@@ -209,24 +209,24 @@ pub fn hessian_product(
     let residual_1_d0 = line_1 * way[0] + line_0 * way[1];
     let lower = bessemer::linear::kernels::cholesky_lower(&matrix![1.0, 0.0; 0.0, 1.0]);
     let factor_0 = lower[(0, 0)] > 0.0;
-    let x_2: f32;
-    let x_2_d0: f32;
-    let x: f32;
-    let x_d0: f32;
+    let result_2: f32;
+    let result_2_d0: f32;
+    let result: f32;
+    let result_d0: f32;
     if factor_0 {
         let mut solution = vector![residual_0, residual_1];
         bessemer::linear::kernels::cholesky_solve_mut(&lower, &mut solution);
         let mut solution_d = vector![way[0], residual_1_d0];
         bessemer::linear::kernels::cholesky_solve_mut(&lower, &mut solution_d);
-        x_2 = solution[0];
-        x_2_d0 = solution_d[0];
-        x = solution[1];
-        x_d0 = solution_d[1];
+        result_2 = solution[0];
+        result_2_d0 = solution_d[0];
+        result = solution[1];
+        result_d0 = solution_d[1];
     } else {
-        x_2 = 0.0;
-        x_2_d0 = 0.0;
-        x = 0.0;
-        x_d0 = 0.0;
+        result_2 = 0.0;
+        result_2_d0 = 0.0;
+        result = 0.0;
+        result_d0 = 0.0;
     }
     let residual_0_bar: f32;
     let residual_0_bar_d0: f32;
@@ -237,10 +237,10 @@ pub fn hessian_product(
         bessemer::linear::kernels::cholesky_solve_mut(&lower, &mut solution);
         let mut solution_d = vector![way[0], residual_1_d0];
         bessemer::linear::kernels::cholesky_solve_mut(&lower, &mut solution_d);
-        let residual_0_bar_2 = x_2 + solution[0];
-        let residual_0_bar_d0_2 = x_2_d0 + solution_d[0];
-        let residual_1_bar_2 = x + solution[1];
-        let residual_1_bar_d0_2 = x_d0 + solution_d[1];
+        let residual_0_bar_2 = result_2 + solution[0];
+        let residual_0_bar_d0_2 = result_2_d0 + solution_d[0];
+        let residual_1_bar_2 = result + solution[1];
+        let residual_1_bar_d0_2 = result_d0 + solution_d[1];
         residual_0_bar = residual_0_bar_2;
         residual_0_bar_d0 = residual_0_bar_d0_2;
         residual_1_bar = residual_1_bar_2;
@@ -255,12 +255,12 @@ pub fn hessian_product(
         residual_1_bar = residual_1_bar_2;
         residual_1_bar_d0 = residual_1_bar_d0_2;
     }
-    let result_1_0 = line_1 * residual_1_bar + residual_0_bar;
-    let result_1_0_d0 = residual_1_bar * way[1] + line_1 * residual_1_bar_d0 + residual_0_bar_d0;
-    let result_1_1 = line_0 * residual_1_bar;
-    let result_1_1_d0 = residual_1_bar * way[0] + line_0 * residual_1_bar_d0;
+    let pair_1_0 = line_1 * residual_1_bar + residual_0_bar;
+    let pair_1_0_d0 = residual_1_bar * way[1] + line_1 * residual_1_bar_d0 + residual_0_bar_d0;
+    let pair_1_1 = line_0 * residual_1_bar;
+    let pair_1_1_d0 = residual_1_bar * way[0] + line_0 * residual_1_bar_d0;
     let mut jacobian: SVector<f32, 2> = SVector::zeros();
-    jacobian[0] = result_1_0_d0;
-    jacobian[1] = result_1_1_d0;
-    (vector![result_1_0, result_1_1], jacobian)
+    jacobian[0] = pair_1_0_d0;
+    jacobian[1] = pair_1_1_d0;
+    (vector![pair_1_0, pair_1_1], jacobian)
 }
