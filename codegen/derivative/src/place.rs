@@ -38,7 +38,7 @@ fn outside(span: Span) -> Problem {
 }
 
 impl Run<'_> {
-    /// Returns the name of a place: that of its variable with its fields and known indices.
+    /// Returns the name of a place: its variable, fields and known indices.
     pub fn named(&self, name: String, ty: &Type, place: &Place, route: &Route) -> String {
         let before = route.steps.len().saturating_sub(place.steps.len());
         let (mut name, mut ty) = (name, ty.clone());
