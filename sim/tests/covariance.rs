@@ -28,7 +28,7 @@ impl Computer for Open {
 /// Symmetric to the bit, and without a variance, of any combination of errors, that is not positive.
 fn are_covariances(onboard: &Onboard) -> bool {
     let sound = |p: &Matrix3<f64>| *p == p.transpose() && p.cholesky().is_some();
-    let attitude: &Matrix6<f64> = &onboard.estimator.attitude.covariance.matrix();
+    let attitude: &Matrix6<f64> = onboard.estimator.attitude.covariance.matrix();
     *attitude == attitude.transpose()
         && attitude.cholesky().is_some()
         && onboard.estimator.axes.iter().all(|axis| sound(axis.covariance.matrix()))
