@@ -52,14 +52,13 @@ impl<T: Real, const N: usize, const M: usize> ActiveSetProgram<T, N, M> {
         let mut inverse = SMatrix::<T, N, N>::identity();
         for column in 0..N {
             for i in column..N {
-                let mut sum = inverse[(i, column)];
+                let mut sum = inverse[(column, i)];
                 for k in column..i {
-                    sum -= lower[(i, k)] * inverse[(k, column)];
+                    sum -= lower[(i, k)] * inverse[(column, k)];
                 }
-                inverse[(i, column)] = sum / lower[(i, i)];
+                inverse[(column, i)] = sum / lower[(i, i)];
             }
         }
-        let inverse = inverse.transpose();
         Some(ActiveSetProgram { inverse, rows: rows * inverse, tolerance })
     }
 }

@@ -231,7 +231,7 @@ pub const KEYS: &[Key] = &[
         name: "kernels.code_bytes",
         kind: Kind::Number(u32::MAX, |to, it| to.options.kernels.code_bytes = it.most),
         default: "8192",
-        says: "The largest estimated code size of a kernel, in bytes. Below 1024, the loops of the source are not tiled either: each runs pass by pass, as it is written.",
+        says: "The largest estimated code size of a kernel, in bytes. Below 1024, the loops of the source are not tiled either: each runs pass by pass, as it is written, and no pragma has gcc write out the passes of short ones.",
     },
     Key {
         name: "kernels.threads",

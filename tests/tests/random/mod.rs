@@ -50,7 +50,7 @@ use writer::Program;
 
 /// Programs in a batch of a full run, and of any other.
 const PROGRAMS: usize = 36;
-const FEWER: usize = 12;
+const FEWER: usize = 8;
 /// Texts that aim at the proofs, of a seed that stays and of one that does not, and the instances of each.
 const AIMED: usize = 4;
 /// Small bodies of a seed whose operands write, or that have iterators with a name.

@@ -212,7 +212,7 @@ static void working_set_f64_8_factor_16(working_set_f64_8_t *BESSEMER_RESTRICT s
 void active_set_program_f64_8_16_new(const double hessian[64], const double rows[128],
     double tolerance,
     option_cholesky_factor_f64_8_t *BESSEMER_RESTRICT work_option_cholesky_factor_f64_8,
-    double work_numbers[BESSEMER_RESTRICT 128],
+    double work_numbers[BESSEMER_RESTRICT 64],
     option_active_set_program_f64_8_16_t *BESSEMER_RESTRICT result)
 {
     option_cholesky_factor_f64_8_t *const lower_option = work_option_cholesky_factor_f64_8;
@@ -230,20 +230,14 @@ void active_set_program_f64_8_16_new(const double hessian[64], const double rows
     }
     double *const lower = work_numbers;
     cholesky_factor_f64_8_l(&lower_option->value, lower);
-    double *const inverse = &work_numbers[64];
-    (void)memcpy(inverse, BESSEMER_IDENTITY_8, sizeof(double[64]));
+    (void)memcpy(result->value.inverse, BESSEMER_IDENTITY_8, sizeof(double[64]));
     for (uint32_t column = 0U; column < 8U; column++) {
         for (uint32_t i = column; i < 8U; i++) {
-            double sum = inverse[i + 8U * column];
+            double sum = result->value.inverse[column + 8U * i];
             for (uint32_t k = column; k < i; k++) {
-                sum -= lower[i + 8U * k] * inverse[k + 8U * column];
+                sum -= lower[i + 8U * k] * result->value.inverse[column + 8U * k];
             }
-            inverse[i + 8U * column] = sum / lower[i + 8U * i];
-        }
-    }
-    for (uint32_t column = 0U; column < 8U; column++) {
-        for (uint32_t row = 0U; row < 8U; row++) {
-            result->value.inverse[row + 8U * column] = inverse[column + 8U * row];
+            result->value.inverse[column + 8U * i] = sum / lower[i + 8U * i];
         }
     }
     product_f64_16x8_8x8(rows, result->value.inverse, result->value.rows);

@@ -32,7 +32,7 @@ void real_time_iteration_f64_4_1_1_8_8_16_12_begin(
 void real_time_iteration_f64_4_1_1_8_8_16_12_improve_in_step(
     real_time_iteration_f64_4_1_1_8_8_16_12_t *BESSEMER_RESTRICT self,
     const horizon_f64_4_1_1_t *horizon, const double measured[4], const double targets[8][4],
-    double work_numbers[BESSEMER_RESTRICT 320], double work_matrices[BESSEMER_RESTRICT 8][32],
+    double work_numbers[BESSEMER_RESTRICT 256], double work_matrices[BESSEMER_RESTRICT 8][32],
     option_active_set_program_f64_8_16_t *BESSEMER_RESTRICT work_option_active_set_program_f64_8_16,
     option_cholesky_factor_f64_8_t *BESSEMER_RESTRICT work_option_cholesky_factor_f64_8,
     receding_f64_1_t *BESSEMER_RESTRICT receding_f64_1)

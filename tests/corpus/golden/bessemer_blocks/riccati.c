@@ -482,7 +482,7 @@ void riccati_admm_f32_6_3_8_1_3_10_improve(riccati_admm_f32_6_3_8_1_3_10_t *BESS
  * let mut program = RiccatiProgram::new((&one, &one), (&one, &one), &last, 1.0, 1e-9).unwrap();
  * program.low[0] = -0.5;
  * program.high[0] = 0.5;
- * let mut solver = RiccatiAdmm::<f64, 1, 1, 8, 0, 0, 200>::default();
+ * let mut solver = RiccatiAdmm::<f64, 1, 1, 8, 0, 0, 1000>::default();
  * let found = solver.step(&program, &Vector1::new(3.0), &Vector1::new(0.0));
  * assert_eq!((found.outcome, found.input[0]), (Outcome::Solved, -0.5));
  * ```

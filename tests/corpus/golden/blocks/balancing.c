@@ -4,7 +4,7 @@
 
 static void balance_step_in_step(real_time_iteration_f64_4_1_1_8_8_16_12_t *BESSEMER_RESTRICT self,
     const horizon_f64_4_1_1_t *horizon, const double measured[4], const double targets[8][4],
-    double work_numbers[BESSEMER_RESTRICT 320], double work_matrices[BESSEMER_RESTRICT 8][32],
+    double work_numbers[BESSEMER_RESTRICT 256], double work_matrices[BESSEMER_RESTRICT 8][32],
     option_active_set_program_f64_8_16_t *BESSEMER_RESTRICT work_option_active_set_program_f64_8_16,
     option_cholesky_factor_f64_8_t *BESSEMER_RESTRICT work_option_cholesky_factor_f64_8,
     receding_f64_1_t *BESSEMER_RESTRICT found);
@@ -76,7 +76,7 @@ void balance_step(balance_t *BESSEMER_RESTRICT self, const double state[4], doub
  */
 static void balance_step_in_step(real_time_iteration_f64_4_1_1_8_8_16_12_t *BESSEMER_RESTRICT self,
     const horizon_f64_4_1_1_t *horizon, const double measured[4], const double targets[8][4],
-    double work_numbers[BESSEMER_RESTRICT 320], double work_matrices[BESSEMER_RESTRICT 8][32],
+    double work_numbers[BESSEMER_RESTRICT 256], double work_matrices[BESSEMER_RESTRICT 8][32],
     option_active_set_program_f64_8_16_t *BESSEMER_RESTRICT work_option_active_set_program_f64_8_16,
     option_cholesky_factor_f64_8_t *BESSEMER_RESTRICT work_option_cholesky_factor_f64_8,
     receding_f64_1_t *BESSEMER_RESTRICT found)
@@ -165,7 +165,7 @@ void balancing_swung_jacobian(const double state[4], const double push[1],
 /** Working memory of its entry point; the contents are undefined between calls. */
 typedef struct {
     horizon_f64_4_1_1_t horizon;
-    double numbers[320];
+    double numbers[256];
     /** A matrix each by columns: [row + 4 * column]. */
     double matrices[8][32];
     option_active_set_program_f64_8_16_t option_active_set_program_f64_8_16;
