@@ -108,7 +108,7 @@ fn version(workspace: &Workspace, name: &str, more: &str) -> PathBuf {
     );
     fs::write(workspace.folder().join("bessemer.toml"), settings).expect("the settings");
     for check in [false, true] {
-        let wanted = Wanted { package: Some("models"), check, ..Wanted::default() };
+        let wanted = Wanted { check, ..Wanted::default() };
         generate(&workspace.path(""), wanted).unwrap_or_else(|error| panic!("{}", error.text()));
     }
     workspace.path(name)

@@ -77,7 +77,8 @@ impl Project {
     }
 }
 
-/// The package whose folder `folder` is in, if it is written in the DSL; else the only one that is.
+/// The package whose folder `folder` is in, if it is written in the DSL; else the only one that is. Of several, the only
+/// one with settings is meant: the others are libraries that it calls.
 fn meant<'w>(workspace: &'w Workspace, folder: &Path) -> Result<&'w Member, Error> {
     let here = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
     let within = |it: &&Member| {
@@ -97,6 +98,10 @@ fn meant<'w>(workspace: &'w Workspace, folder: &Path) -> Result<&'w Member, Erro
             _ => Err(Error::NoModels { root: workspace.root.clone() }),
         },
         several => {
+            let mut with_settings = several.iter().filter(|it| nearest(workspace, it).is_some());
+            if let (Some(only), None) = (with_settings.next(), with_settings.next()) {
+                return Ok(only);
+            }
             let known = several.iter().map(|it| it.name.clone()).collect();
             Err(Error::WhichPackage { known })
         }

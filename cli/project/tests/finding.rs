@@ -54,4 +54,6 @@ fn a_workspace_of_several_packages_is_found_its_way_in() {
     assert_eq!(b.job(false).output, root.join("generated"));
     assert_eq!(b.file_name(), "b/bessemer.toml");
     assert!(find("c", None).is_err(), "either may be meant");
+    std::fs::remove_file(root.join("bessemer.toml")).expect("the settings of both");
+    assert_eq!(find("c", None).expect("one has settings").package.name, "b");
 }
