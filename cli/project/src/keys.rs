@@ -187,6 +187,14 @@ pub const KEYS: &[Key] = &[
         says: "Writes every comment in ASCII: `rad/s^2` for `rad/s²`, `pi` for `π`.",
     },
     Key {
+        name: "trace",
+        kind: Kind::Choice(&["maps", "comments"], |to, which| {
+            to.options.trace_comments = which == 1;
+        }),
+        default: "\"maps\"",
+        says: "The way from a line of C to its line of Rust: the `.map` file beside each file, or also a comment at the end of each line, such as `/* src/motor.rs:12 */`. With comments, the C changes when a line of the Rust moves.",
+    },
+    Key {
         name: "keep_checks",
         kind: Kind::Flag(|to, flag| to.options.keep_checks = flag),
         default: "false",

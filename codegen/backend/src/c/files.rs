@@ -28,6 +28,7 @@ use super::signature::Returned;
 use super::tree::{Declarator, Head, Item, Member, Origin, Stmt, StmtKind, Storage, plain};
 use super::{
     ascii, asked, described, helpers_header, init, lower, self_test, sizes, status_header, target,
+    traced,
 };
 use crate::kernels;
 use draft::Draft;
@@ -91,6 +92,9 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     }
     list.extend(self_test::files(context, options));
     list.sort_by(|a, b| a.name.cmp(&b.name));
+    if options.trace_comments {
+        list.iter_mut().for_each(traced::written);
+    }
     if options.ascii {
         list.iter_mut().for_each(|file| file.text = ascii::written(&file.text));
     }

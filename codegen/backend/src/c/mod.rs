@@ -50,6 +50,7 @@ mod spelling;
 mod status;
 mod status_header;
 mod target;
+mod traced;
 mod tree;
 mod units;
 mod wide;

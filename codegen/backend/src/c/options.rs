@@ -111,6 +111,8 @@ pub struct Options {
     pub pragmas: bool,
     /// True if files have no character beyond ASCII.
     pub ascii: bool,
+    /// True if each line has a comment with its line of Rust.
+    pub trace_comments: bool,
     /// True if proved checks stay in the C and end the program when one fails. This tests the compiler and is not for a
     /// target.
     pub keep_checks: bool,
@@ -143,6 +145,7 @@ impl Default for Options {
             self_test: false,
             pragmas: true,
             ascii: false,
+            trace_comments: false,
             keep_checks: false,
         }
     }

@@ -12,7 +12,7 @@ mod run;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use bessemer_backend::c::{CFile, Options, Plan, emit};
+use bessemer_backend::c::{CFile, MapLine, Options, Plan, emit};
 use bessemer_backend::kernels::{Mode, Tuning};
 use bessemer_backend::passes;
 use bessemer_backend::validate::validate;
@@ -185,13 +185,14 @@ fn options_name_things() {
     }
 }
 
-/// The C for a compiler that knows no pragma, in ASCII: nothing is left of either, and its guard is there.
+/// The C for a compiler that knows no pragma, in ASCII, with a comment behind each line of the map.
 #[test]
-fn without_pragmas_and_in_ascii() {
+fn without_pragmas_in_ascii_and_with_trace_comments() {
     let plain = Tuning { mode: Mode::Plain, ..Tuning::default() };
     let options = Options {
         pragmas: false,
         ascii: true,
+        trace_comments: true,
         self_test: true,
         kernels: plain,
         ..Options::default()
@@ -203,6 +204,12 @@ fn without_pragmas_and_in_ascii() {
                 file.text.lines().find(|it| it.contains("#pragma") || it.contains("_Pragma"));
             assert_eq!(pragma, None, "{}", file.name);
             assert!(file.text.is_ascii(), "{}:\n{}", file.name, file.text);
+            let lines: Vec<&str> = file.text.lines().collect();
+            let is_traced = |row: &&MapLine| {
+                let comment = format!(" /* {}:{} */", row.rust_file, row.rust_line);
+                lines[row.c_line as usize - 1].ends_with(&comment)
+            };
+            assert_eq!(file.map.iter().find(|row| !is_traced(row)), None, "{}", file.name);
         }
         assert!(files.iter().any(|file| file.name == "bessemer_self_test.c"), "{name}");
         compilers::check(&format!("without-pragmas-{name}"), &files);
