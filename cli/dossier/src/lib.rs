@@ -1,4 +1,4 @@
-//! The dossier of a package: what a reviewer of its C asks for, as data and as pages.
+//! The dossier of a package for the reviewer of its C, as data and as pages.
 //!
 //! | module | purpose |
 //! |---|---|
@@ -26,4 +26,5 @@ pub mod output;
 pub mod page;
 pub mod requirements;
 pub mod scan;
+mod separated;
 pub mod trace;

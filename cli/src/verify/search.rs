@@ -8,11 +8,8 @@ use bessemer_ir::{FunctionId, Module, Role, Type};
 use bessemer_legs::arguments::{self, Numbers, Size};
 use bessemer_legs::random::Random;
 
-/// Number of calls of each function with edge values, in a sequence of small numbers, and in sequences around the
-/// constants of its code.
-const CALLS: usize = 100;
-/// Number of calls in one sequence around the constants.
-const LIFE: usize = 20;
+use super::{CALLS, LIFE};
+
 /// Number of changed lives of a function in one round, unless their words are more than [`MOST`].
 const BATCH: usize = 64;
 /// Number of words after which a round has enough lives of a function.

@@ -5,6 +5,7 @@
 //! Invariant: a row that holds for nothing is reported, so that no reason outlives what it was written for.
 
 use super::Report;
+use crate::separated::{self, Rows};
 
 /// Reason why a table cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -41,7 +42,7 @@ pub struct Row {
 /// # Errors
 /// See [`Error`].
 pub fn read(text: &str) -> Result<Vec<Row>, Error> {
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
+    let mut reader = separated::reader(text, Rows::Even);
     let wrong = |error: &csv::Error| Error::Row {
         line: error.position().map_or(1, csv::Position::line),
         why: error.to_string(),
@@ -107,6 +108,18 @@ mod tests {
         let reasons: Vec<&str> = report.conditions.iter().map(|it| it.reason.as_str()).collect();
         assert_eq!(reasons, ["never", "not, ever"]);
         assert_eq!(report.statements[0].reason, "");
+    }
+
+    #[test]
+    fn tables_of_spreadsheets_are_read() {
+        let rows = read("\u{feff}reason;code;function\nnever, ever;a && b;f\n");
+        let wanted = Row {
+            function: "f".to_owned(),
+            code: "a && b".to_owned(),
+            reason: "never, ever".to_owned(),
+        };
+        assert_eq!(rows, Ok(vec![wanted.clone()]));
+        assert_eq!(read("function\tcode\treason\nf\ta && b\tnever, ever\n"), Ok(vec![wanted]));
     }
 
     #[test]

@@ -4,6 +4,8 @@
 
 use quick_xml::events::Event;
 
+use crate::separated::{self, Rows};
+
 /// A requirement.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Requirement {
@@ -57,9 +59,8 @@ pub enum Error {
 /// # Errors
 /// See [`Error`].
 pub fn read(text: &str) -> Result<Vec<Requirement>, Error> {
-    let text = text.trim_start_matches('\u{feff}');
-    let list = match text.trim_start().starts_with('<') {
-        true => from_reqif(text)?,
+    let list = match separated::unmarked(text).trim_start().starts_with('<') {
+        true => from_reqif(separated::unmarked(text))?,
         false => from_csv(text)?,
     };
     for (at, it) in list.iter().enumerate() {
@@ -73,19 +74,8 @@ pub fn read(text: &str) -> Result<Vec<Requirement>, Error> {
     Ok(list)
 }
 
-/// Returns the separator of a table: the one of `,`, `;` and tab that its first line has most.
-fn separator(text: &str) -> u8 {
-    let first = text.lines().next().unwrap_or_default();
-    let count = |it: &u8| first.bytes().filter(|byte| byte == it).count();
-    [b'\t', b';', b','].into_iter().max_by_key(count).unwrap_or(b',')
-}
-
 fn from_csv(text: &str) -> Result<Vec<Requirement>, Error> {
-    let mut reader = csv::ReaderBuilder::new()
-        .delimiter(separator(text))
-        .trim(csv::Trim::All)
-        .flexible(true)
-        .from_reader(text.as_bytes());
+    let mut reader = separated::reader(text, Rows::Ragged);
     let wrong = |error: &csv::Error| Error::Csv {
         line: error.position().map_or(1, csv::Position::line),
         why: error.to_string(),
