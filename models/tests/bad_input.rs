@@ -5,12 +5,15 @@ mod recorded;
 
 use bessemer::nalgebra::Vector3;
 use models::calibration::{Calibration, Inertial, Readings, Vicon};
+use models::crash_predictor::CrashPredictor;
+use models::estimator::Ages;
 use models::packet::Packet;
 use models::receiver::{
-    COMMIT, HEARTBEAT, HELLO, MODE, Mode, NEVER, POINT, Receiver, STICKS, STOP, TAKE_OFF, within,
+    ARM, COMMIT, DISARM, HEARTBEAT, HELLO, MODE, Mode, NEVER, POINT, Receiver, STICKS, STOP,
+    TAKE_OFF, within,
 };
 use models::trajectory::{SetPoint, Space, Trajectory};
-use models::{Alarm, Inputs, Onboard, Outputs, Phase, Settings};
+use models::{Alarm, Estimate, Inputs, Limits, Onboard, Orientation, Outputs, Phase, Settings};
 use recorded::Recorded;
 
 fn space() -> Space {
@@ -273,6 +276,42 @@ fn the_bench_flies() {
     let last = last(&outputs);
     assert_eq!((last.alarm, last.reference.phase), (Alarm::Clear, Phase::Flight));
     assert!(last.command.motors.min() >= 0.0 && last.command.motors.max() > 100.0);
+}
+
+#[test]
+fn in_flight_neither_arming_nor_disarming_stops_the_motors() {
+    let outputs = flown(600, |n, inputs| match n {
+        400 => inputs.uplink = packet(DISARM, 5, &[]),
+        450 => inputs.uplink = packet(ARM, 6, &[]),
+        _ => {}
+    });
+    let last = last(&outputs);
+    assert_eq!((last.alarm, last.reference.phase), (Alarm::Clear, Phase::Flight));
+    assert!(last.command.motors.max() > 100.0);
+}
+
+/// Returns the alarm of an aircraft in level flight at this height and vertical speed, m and m/s, that accelerates
+/// vertically by `climb`, m/s².
+fn alarm(height: f64, speed: f64, climb: f64) -> Alarm {
+    let mut predictor = Recorded::<CrashPredictor>::default();
+    let (position, velocity) = (Vector3::z() * height, Vector3::z() * speed);
+    let estimate = Estimate { position, velocity, ..Estimate::default() };
+    let level = Orientation::of(&Vector3::zeros());
+    let mut period =
+        || predictor.step(&Limits::room(), true, &estimate, &level, &Ages::default(), climb);
+    // The third period confirms.
+    [period(), period(), period()][2]
+}
+
+#[test]
+fn the_ceiling_and_a_hard_touch_down_raise_their_alarms() {
+    assert_eq!(alarm(3.9, 0.0, 0.0), Alarm::Clear);
+    assert_eq!(alarm(4.1, 0.0, 0.0), Alarm::Height);
+    assert_eq!(alarm(3.9, 2.0, 0.0), Alarm::Height, "within the horizon");
+    assert_eq!(alarm(1.0, -1.0, 0.0), Alarm::Clear, "far from the ground");
+    assert_eq!(alarm(0.01, -0.5, 0.0), Alarm::Clear, "slow");
+    assert_eq!(alarm(0.05, -1.0, 0.0), Alarm::Impact);
+    assert_eq!(alarm(0.05, -0.6, -2.0), Alarm::Impact, "fast within the horizon");
 }
 
 #[test]

@@ -3,12 +3,14 @@
 use std::ops::{Deref, DerefMut};
 
 use bessemer_words::record::Recorder;
+use models::crash_predictor::CrashPredictor;
+use models::estimator::Ages;
 use models::gate::Gate;
 use models::packet::Packet;
 use models::receiver::Receiver;
 use models::siphash::Key;
 use models::trajectory::Space;
-use models::{Inputs, Onboard, Outputs, Settings};
+use models::{Alarm, Estimate, Inputs, Limits, Onboard, Orientation, Outputs, Settings};
 
 /// A component in its initial state, and its calls so far.
 pub struct Recorded<C> {
@@ -48,6 +50,22 @@ impl Recorded<Receiver> {
     pub fn step(&mut self, period: f64, space: &Space, packet: &Packet) {
         self.recorder.call(|| (period, *space, *packet));
         self.component.step(period, space, packet);
+    }
+}
+
+impl Recorded<CrashPredictor> {
+    #[allow(dead_code, reason = "each program has the components that it tests")]
+    pub fn step(
+        &mut self,
+        limits: &Limits,
+        flying: bool,
+        estimate: &Estimate,
+        orientation: &Orientation,
+        ages: &Ages,
+        climb: f64,
+    ) -> Alarm {
+        self.recorder.call(|| (*limits, flying, *estimate, *orientation, *ages, climb));
+        self.component.step(limits, flying, estimate, orientation, ages, climb)
     }
 }
 

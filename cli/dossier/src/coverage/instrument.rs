@@ -5,6 +5,7 @@
 
 use std::fmt::Write as _;
 
+use super::impossible::Shape;
 use crate::scan::{self, Decision, Kind};
 
 /// Most conditions of a decision whose combinations are recorded.
@@ -40,6 +41,8 @@ pub struct Observed {
     pub text: String,
     /// Texts of the conditions.
     pub conditions: Vec<String>,
+    /// Its form; none if it has other operators than `&&`, `||` and `!`.
+    pub shape: Option<Shape>,
     /// First byte of its combinations.
     pub offset: usize,
 }
@@ -104,11 +107,13 @@ fn file(name: &str, text: &str, done: &mut Instrumented) -> String {
                 continue;
             }
             let number = done.decisions.len();
+            let places: Vec<_> = decision.conditions.iter().map(|it| it.range).collect();
             let observed = Observed {
                 file: name.to_owned(),
                 function: function.name.clone(),
                 text: of(decision.range),
                 conditions: decision.conditions.iter().map(|it| of(it.range)).collect(),
+                shape: Shape::of(text, decision.range, &places),
                 decision: decision.clone(),
                 offset: done.bytes,
             };

@@ -5,6 +5,7 @@
 //!
 //! Must not know: how the C was run.
 
+mod impossible;
 pub mod instrument;
 pub mod reasons;
 
@@ -149,6 +150,8 @@ pub struct Missing {
     pub condition: String,
     /// Missing evaluation.
     pub why: String,
+    /// True if it is proved that no input shows the condition.
+    pub is_impossible: bool,
     /// The author's reason why no test is needed, if there is one.
     pub reason: String,
 }
@@ -166,6 +169,8 @@ pub struct Report {
     pub statements: Vec<Missing>,
     /// Conditions without a pair.
     pub conditions: Vec<Missing>,
+    /// Number of these that are proved impossible.
+    pub impossible: usize,
     /// Decisions with too many conditions.
     pub too_many: Vec<String>,
 }
@@ -234,6 +239,8 @@ pub fn report(of: &Instrumented, seen: &Seen, folder: &Folder, inputs: Vec<Strin
             }
             if !pair {
                 let line = observed.decision.line;
+                let is_impossible = impossible::is_impossible(observed, at);
+                report.impossible += usize::from(is_impossible);
                 report.conditions.push(Missing {
                     place: format!("{}:{line}", observed.file),
                     function: observed.function.clone(),
@@ -241,6 +248,7 @@ pub fn report(of: &Instrumented, seen: &Seen, folder: &Folder, inputs: Vec<Strin
                     text: observed.text.clone(),
                     condition: observed.conditions[at].clone(),
                     why: missing(observed, evaluations, at),
+                    is_impossible,
                     ..Missing::default()
                 });
             }
