@@ -7,8 +7,8 @@ use std::process::Command;
 
 use bessemer_codegen::compile::Compiled;
 use bessemer_dossier::content::{Outcome, Sizes};
-use bessemer_dossier::coverage::Report;
 use bessemer_dossier::coverage::reasons::{self, Row};
+use bessemer_dossier::coverage::{Missing, Report};
 use bessemer_dossier::requirements::Results;
 use bessemer_dossier::requirements::rust::Item;
 use bessemer_legs::toolchain::{self, GCC, Toolchain};
@@ -48,12 +48,12 @@ fn compilers() -> String {
     names.into_iter().map(version).collect::<Vec<_>>().join("; ")
 }
 
-/// The C is what the models give: it was compared before anything else.
+/// The C equals the output of a new generation: it was compared before anything else.
 pub fn current(compiled: &Compiled) -> Outcome {
     let files = compiled.files.len();
     let detail = format!("{files} files, equal to the byte");
     let version = format!("bessemer {}", env!("CARGO_PKG_VERSION"));
-    outcome("The C is what the models give", "cargo bessemer gen --check", version, PASSED, detail)
+    outcome("The C is up to date", "cargo bessemer gen --check", version, PASSED, detail)
 }
 
 /// Checks that were left out.
@@ -236,27 +236,32 @@ pub fn covered(
             return Ok((vec![of(what, NOT_RUN, why)], None));
         }
         Err(Error::Compiler { name, said }) => {
-            let first = said.lines().find_map(|line| Some(line.split_once("error: ")?.1));
-            let short = first.unwrap_or("the C was refused");
-            return Ok((vec![of(what, FAILED, format!("{name}: {short}"))], None));
+            return Ok((vec![of(what, FAILED, format!("{name}: {}", first_error(&said)))], None));
         }
         Err(error) => return Err(error),
     };
     let counts = report.counts;
     let detail = format!(
-        "statements {} of {}, branches {} of {}, MC/DC {} of {}",
+        "statements {} of {}, branches {} of {}, MC/DC {} of {}, and {} proved impossible",
         counts.statements.covered,
         counts.statements.all,
         counts.branches.covered,
         counts.branches.all,
         counts.conditions.covered,
-        counts.conditions.all
+        counts.conditions.all,
+        report.impossible
     );
     let mut outcomes = vec![of(what, PASSED, detail)];
     let unused = reasons::add(&mut report, rows);
     if !rows.is_empty() {
-        let open = report.conditions.iter().filter(|it| it.reason.is_empty()).count();
-        let mut detail = format!("{open} conditions without a pair have none");
+        let open = |list: &[Missing]| {
+            list.iter().filter(|it| it.reason.is_empty() && !it.is_impossible).count()
+        };
+        let mut detail = format!(
+            "none for {} conditions and {} statements",
+            open(&report.conditions),
+            open(&report.statements)
+        );
         for row in &unused {
             detail += &format!("; nothing is missing in `{}` at `{}`", row.function, row.code);
         }
@@ -274,6 +279,22 @@ pub fn targets() -> Vec<(&'static str, Toolchain)> {
     std::iter::once(own).chain(all).filter(there).collect()
 }
 
+/// Returns the first error in a compiler's message, without the command and its paths.
+fn first_error(said: &str) -> &str {
+    said.lines().find_map(|line| Some(line.split_once("error: ")?.1)).unwrap_or("the C was refused")
+}
+
+/// Compiles an empty function; the compiler's first error, such as a missing library of its own.
+fn try_out(toolchain: &Toolchain) -> Result<(), String> {
+    let text = "int nothing(void);\nint nothing(void)\n{\n    return 0;\n}\n";
+    let compiled = tempfile::tempdir().map_err(|error| error.to_string()).and_then(|folder| {
+        let source = folder.path().join("nothing.c");
+        std::fs::write(&source, text).map_err(|error| error.to_string())?;
+        toolchain.object(&source, &[]).map(drop)
+    });
+    compiled.map_err(|said| first_error(&said).to_owned())
+}
+
 /// Measures the sizes on a target.
 pub fn sizes(
     project: &Project,
@@ -287,6 +308,10 @@ pub fn sizes(
         name => format!("cargo bessemer sizes --target {name}"),
     };
     let compiler = version(toolchain.compiler);
+    if let Err(why) = try_out(&toolchain) {
+        let why = format!("the compiler fails without any C of the package: {why}");
+        return (outcome(&what, &command, compiler, NOT_RUN, why), None);
+    }
     match sizes::measured(compiled, &toolchain.of(project.settings.options.standard)) {
         Ok(measured) => {
             let row = |(name, it): (&String, &toolchain::Sizes)| {
@@ -299,11 +324,10 @@ pub fn sizes(
             let sizes = Sizes { target: format!("{name}: {compiler}, -O2"), rows };
             (outcome(&what, &command, compiler, PASSED, detail), Some(sizes))
         }
-        Err(error) => {
-            let said = error.to_string();
-            let said = said.lines().next().unwrap_or_default().to_owned();
-            (outcome(&what, &command, compiler, FAILED, said), None)
+        Err(Error::Compiler { said, .. }) => {
+            (outcome(&what, &command, compiler, FAILED, first_error(&said).to_owned()), None)
         }
+        Err(error) => (outcome(&what, &command, compiler, FAILED, error.to_string()), None),
     }
 }
 
@@ -321,6 +345,16 @@ mod tests {
             is_function: true,
             requirements: Vec::new(),
         }
+    }
+
+    #[test]
+    fn a_compilers_error_has_no_command_and_no_path() {
+        let said = "cc -c /tmp/x1/a.c\n\n/tmp/x1/a.c:3:5: error: expected `;`\ncc: error: 2\n";
+        assert_eq!(first_error(said), "expected `;`");
+        assert_eq!(first_error("cc: fatal error: cannot read spec file"), "cannot read spec file");
+        assert_eq!(first_error("killed"), "the C was refused");
+        let toolchain = Toolchain { compiler: "no-such-compiler", ..GCC };
+        assert_eq!(try_out(&toolchain), Err("the C was refused".to_owned()));
     }
 
     #[test]

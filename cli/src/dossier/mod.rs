@@ -32,8 +32,8 @@ use crate::verify::covered::{self, Sources};
 /// Reason why a dossier cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum Wrong {
-    /// The C in the folder is not what the models give.
-    #[error("the C in `{folder}` is not what the models give: {}", files.join(", "))]
+    /// The C in the folder differs from the output of a new generation.
+    #[error("the C in `{folder}` is stale: {}", files.join(", "))]
     Stale {
         /// The folder.
         folder: PathBuf,
@@ -312,7 +312,7 @@ fn compared(project: &Project, dossier: &Path, colour: bool) -> Result<(String, 
     Ok((text, found.differ.is_empty()))
 }
 
-/// Checks that the C in the folder is what the models give.
+/// Checks that the C in the folder equals the output of a new generation.
 fn current(output: &Path, compiled: &Compiled) -> Result<(), Error> {
     let mut files: Vec<String> = Vec::new();
     for file in &compiled.files {
