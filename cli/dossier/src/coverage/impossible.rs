@@ -7,7 +7,8 @@
 //! itself through a `<`, or if two terms are equal and differ. A condition is impossible to show if each pair of
 //! evaluations that would show it has an impossible one.
 //!
-//! What is not refuted may still be impossible: the values of the terms are not looked at. Must not know: any run.
+//! An evaluation that is not refuted may still be impossible, since the values of the terms are not known. Must not know:
+//! any run.
 
 use super::instrument::Observed;
 use super::{Evaluation, State, shows};
