@@ -2,8 +2,9 @@
 //! instructions and constants, initialised and zeroed memory, stack, state, executed instructions at most.
 //!
 //! The sizes of an entry point include its callees, so two entry points may share a part. Callees in the C library
-//! are not included. Stack and state are the bounds that `gen` reports, and the executed instructions are those of the
-//! longest path ([`estimate`]), the same for each target; `verify --target` measures the used stack and the instructions.
+//! are not included. Stack and state are the bounds that `gen` reports. The executed instructions are those of the longest
+//! path through the target's machine code ([`longest`]); where that model has no figures for the processor, they are an
+//! [`estimate`]. `verify --target` measures the used stack and the instructions.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -11,8 +12,8 @@ use std::path::Path;
 use bessemer_backend::c::EntryReport;
 use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::estimate;
-use bessemer_legs::process;
 use bessemer_legs::toolchain::{GCC, Sizes, Toolchain};
+use bessemer_legs::{longest, process};
 use bessemer_project::{Wanted, compile};
 
 use crate::args::Sizes as Asked;
@@ -62,14 +63,15 @@ pub fn run(folder: &Path, asked: &Asked, colour: bool) -> Result<String, Error> 
     targets.iter().try_for_each(|(_, it)| bessemer_tools::check(&[it.compiler]))?;
     let (project, compiled) = compile(folder, wanted)?;
     let estimates = estimate::estimates(&compiled.explicit);
-    let executed = |entry: &EntryReport| {
-        let cost = estimates.get(entry.function.index()).and_then(|it| it.cost);
-        cost.map_or_else(|| "no bound".to_owned(), |it| it.instructions.to_string())
+    let estimated = |entry: &EntryReport| {
+        estimates.get(entry.function.index()).and_then(|it| it.cost).map(|it| it.instructions)
     };
     let mut text = String::new();
     for (index, (name, toolchain)) in targets.into_iter().enumerate() {
         let toolchain = toolchain.of(project.settings.options.standard);
         let measured = measured(&compiled, &toolchain)?;
+        let failed = |said: String| Error::Compiler { name: toolchain.name(), said };
+        let longest = longest::longest(&compiled, &toolchain).map_err(failed)?;
         let width = compiled.entries.iter().map(|it| it.entry.len()).max().unwrap_or(0).max(11);
         // Writing to a string cannot fail.
         let _ = write!(
@@ -79,15 +81,18 @@ pub fn run(folder: &Path, asked: &Asked, colour: bool) -> Result<String, Error> 
             toolchain.name(),
             "entry point"
         );
-        for (entry, (_, sizes)) in compiled.entries.iter().zip(&measured.entries) {
+        for (at, (entry, (_, sizes))) in compiled.entries.iter().zip(&measured.entries).enumerate()
+        {
+            let executed = match &longest {
+                Some(list) => list[at].cost.as_ref().ok().map(|it| it.instructions),
+                None => estimated(entry),
+            };
+            let executed = executed.map_or_else(|| "no bound".to_owned(), |it| it.to_string());
             let Sizes { text: code, data, bss } = sizes;
             let _ = writeln!(
                 text,
                 "  {:width$}  {code:>6}  {data:>4}  {bss:>4}  {:>5}  {:>5}  {:>8}",
-                entry.entry,
-                entry.stack_bytes,
-                entry.state_bytes,
-                executed(entry)
+                entry.entry, entry.stack_bytes, entry.state_bytes, executed
             );
         }
         let Sizes { text: code, data, bss } = measured.all;

@@ -13,6 +13,7 @@ pub mod harness;
 pub mod interpreter;
 pub mod kernels;
 pub mod lockstep;
+pub mod longest;
 pub mod machines;
 mod objects;
 pub mod outcome;

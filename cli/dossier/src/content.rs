@@ -46,6 +46,8 @@ pub struct Content {
     pub weights: Vec<[String; 4]>,
     /// Sizes by target.
     pub sizes: Vec<Sizes>,
+    /// Longest paths by target.
+    pub paths: Vec<Paths>,
     /// Requirements.
     pub matrix: Matrix,
     /// Coverage of the C; none if it was not measured.
@@ -185,6 +187,15 @@ pub struct Loop {
     pub passes: String,
     /// Source of the number.
     pub source: &'static str,
+}
+
+/// Longest paths on one target.
+#[derive(Clone, Debug, Serialize)]
+pub struct Paths {
+    /// Name of the target with its compiler.
+    pub target: String,
+    /// Entry point, instructions and cycles, or the reason for none.
+    pub rows: Vec<[String; 3]>,
 }
 
 /// Sizes on one target.

@@ -6,11 +6,12 @@ use std::path::Path;
 use std::process::Command;
 
 use bessemer_codegen::compile::Compiled;
-use bessemer_dossier::content::{Outcome, Sizes};
+use bessemer_dossier::content::{Outcome, Paths, Sizes, grouped};
 use bessemer_dossier::coverage::reasons::{self, Row};
 use bessemer_dossier::coverage::{Missing, Report};
 use bessemer_dossier::requirements::Results;
 use bessemer_dossier::requirements::rust::Item;
+use bessemer_legs::longest;
 use bessemer_legs::toolchain::{self, GCC, Toolchain};
 use bessemer_project::Project;
 use bessemer_words::record;
@@ -293,6 +294,36 @@ fn try_out(toolchain: &Toolchain) -> Result<(), String> {
         toolchain.object(&source, &[]).map(drop)
     });
     compiled.map_err(|said| first_error(&said).to_owned())
+}
+
+/// Finds the longest paths on a target; none for a processor that the model does not have.
+pub fn paths(
+    project: &Project,
+    compiled: &Compiled,
+    name: &str,
+    toolchain: &Toolchain,
+) -> Option<(Outcome, Option<Paths>)> {
+    longest::processor(toolchain)?;
+    let (what, compiler) = (format!("Longest paths on {name}"), version(toolchain.compiler));
+    let command = format!("cargo bessemer verify --target {name}");
+    let of = |verdict, detail| outcome(&what, &command, compiler.clone(), verdict, detail);
+    if let Err(why) = try_out(toolchain) {
+        return Some((of(NOT_RUN, why), None));
+    }
+    let toolchain = toolchain.clone().of(project.settings.options.standard);
+    let list = match longest::longest(compiled, &toolchain) {
+        Ok(list) => list?,
+        Err(said) => return Some((of(FAILED, first_error(&said).to_owned()), None)),
+    };
+    let open = list.iter().filter(|it| it.cost.is_err()).count();
+    let rows = list.into_iter().map(|it| match it.cost {
+        Ok(cost) => [it.entry, grouped(cost.instructions), grouped(cost.cycles)],
+        Err(why) => [it.entry, why, String::new()],
+    });
+    let rows: Vec<[String; 3]> = rows.collect();
+    let detail = format!("{} of {} entry points have a bound", rows.len() - open, rows.len());
+    let paths = Paths { target: format!("{name}: {compiler}, -O2"), rows };
+    Some((of(PASSED, detail), Some(paths)))
 }
 
 /// Measures the sizes on a target.

@@ -147,7 +147,7 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
     let mut results = vec![checks::current(&compiled)];
     let mut of_tests = Results::new();
     let mut own = Sources { recordings, fill: wanted.fill, ..Sources::default() };
-    let mut sizes = Vec::new();
+    let (mut sizes, mut paths) = (Vec::new(), Vec::new());
     let mut coverage = None;
     if wanted.quick {
         results.extend(checks::not_run("`--quick` was passed"));
@@ -164,6 +164,11 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
         results.extend(outcomes);
         coverage = report;
         for (name, toolchain) in checks::targets() {
+            if let Some((outcome, rows)) = checks::paths(&project, &compiled, name, &toolchain) {
+                say(&format!("finding the longest paths on {name}"));
+                results.push(outcome);
+                paths.extend(rows);
+            }
             say(&format!("measuring sizes on {name}"));
             let (outcome, rows) = checks::sizes(&project, &compiled, name, toolchain);
             results.push(outcome);
@@ -201,6 +206,7 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
         license: compiled.license.clone(),
         results,
         sizes,
+        paths,
         coverage,
         change,
         evidence: Evidence::of(&c, &lock, &project.package.name),

@@ -1,10 +1,12 @@
 //! The C on an emulated processor: its results, and its cost in instructions, stack and code.
 //!
-//! Instructions and stack are the maxima over all calls; the size is that of all the C.
+//! Instructions and stack are the maxima over all calls; the size is of all the C. No call may take more instructions than
+//! the longest path through the machine code, where the model of [`longest`] has the processor.
 
 use std::fmt::Write as _;
 
 use bessemer_codegen::compile::{Compiled, Options, Standard};
+use bessemer_legs::longest::{self, Longest};
 use bessemer_legs::toolchain::{self, Sizes, Toolchain};
 use bessemer_legs::{harness, process, watch};
 use bessemer_project::{Figure, Limits};
@@ -39,6 +41,23 @@ pub struct Seen {
     pub costs: Vec<Cost>,
     /// The sizes of the C.
     pub sizes: Sizes,
+    /// The longest path of each case with the instructions of its caller; none if the model lacks the processor.
+    pub longest: Vec<Option<Longest>>,
+}
+
+impl Seen {
+    /// Returns the cases whose calls took more than their longest path: the model is then wrong.
+    pub fn beyond(&self, cases: &[Case]) -> Vec<String> {
+        let rows = cases.iter().zip(&self.costs).zip(&self.longest);
+        let beyond = rows.filter_map(|((case, cost), longest)| {
+            let most = longest.as_ref()?.cost.as_ref().ok()?.instructions;
+            (cost.instructions > most).then(|| {
+                let (name, count) = (&case.name, cost.instructions);
+                format!("{name}: a call took {count} instructions, and its longest path has {most}")
+            })
+        });
+        beyond.collect()
+    }
 }
 
 /// The name of a processor, and the compiler and emulator for it.
@@ -89,7 +108,19 @@ pub fn seen(
     let (objects, _) = toolchain.objects(folder.sources(), &[]).map_err(failed)?;
     let sizes = toolchain.sizes(&objects).map_err(failed)?;
     let (outcomes, costs) = told(cases, &watched);
-    Ok(Seen { outcomes, costs, sizes })
+    let paths = longest::longest(compiled, toolchain).map_err(failed)?.unwrap_or_default();
+    let longest = cases.iter().map(|case| {
+        let at = compiled.entries.iter().position(|it| it.function == case.id)?;
+        let mut found = paths.get(at)?.clone();
+        // The counted instructions are also those of the caller.
+        let parameters = compiled.module.functions[case.id.index()].parameters().len();
+        if let Ok(cost) = &mut found.cost {
+            cost.instructions += longest::call(parameters);
+        }
+        Some(found)
+    });
+    let longest = longest.collect();
+    Ok(Seen { outcomes, costs, sizes, longest })
 }
 
 /// The outcomes and costs in a program's output.
@@ -119,15 +150,23 @@ pub fn table(processor: &Processor, cases: &[Case], seen: &Seen) -> String {
     let width = cases.iter().map(|case| case.name.len()).max().unwrap_or(0).max(11);
     let Sizes { text, data, bss } = seen.sizes;
     let mut table = format!(
-        "\non {}: {text} bytes of text, {} of data; of any call the most:\n  {:width$}  instructions  stack\n",
+        "\non {}: {text} bytes of text, {} of data; of any call the most:\n  {:width$}  instructions  stack  longest path\n",
         processor.name,
         data + bss,
         "entry point"
     );
-    for (case, cost) in cases.iter().zip(&seen.costs) {
+    for (at, (case, cost)) in cases.iter().zip(&seen.costs).enumerate() {
+        let longest = match seen.longest.get(at).and_then(Option::as_ref).map(|it| &it.cost) {
+            None => "–".to_owned(),
+            Some(Ok(cost)) => cost.instructions.to_string(),
+            Some(Err(why)) => format!("none: {why}"),
+        };
         // Writing to a string cannot fail.
-        let _ =
-            writeln!(table, "  {:width$}  {:>12}  {:>5}", case.name, cost.instructions, cost.stack);
+        let _ = writeln!(
+            table,
+            "  {:width$}  {:>12}  {:>5}  {longest:>12}",
+            case.name, cost.instructions, cost.stack
+        );
     }
     table
 }
@@ -183,7 +222,16 @@ mod tests {
         let limit = |most| Some(Limit { most, line: 1, column: 1 });
         let limits = Limits { instructions: limit(99), text_bytes: limit(9), ..Limits::default() };
         let sizes = Sizes { text: 10, data: 0, bss: 0 };
-        let seen = Seen { outcomes, costs, sizes };
+        let path = |instructions| Longest {
+            entry: "motor_step".to_owned(),
+            cost: Ok(longest::Cost { instructions, cycles: 9 }),
+        };
+        let longest = vec![Some(path(99)), Some(path(5))];
+        let seen = Seen { outcomes, costs, sizes, longest };
+        assert_eq!(
+            seen.beyond(&cases),
+            ["Motor::step: a call took 100 instructions, and its longest path has 99"]
+        );
         let processor = Processor { name: "zynq", toolchain: toolchain::BARE_A9 };
         let beyond = figures(&processor, &cases, &seen, &limits)
             .into_iter()

@@ -149,10 +149,11 @@ fn compared(
     for toolchain in compilers.into_iter().map(|it| it.of(standard)) {
         legs.push((toolchain.name(), of_c(&compiled, &cases, &job.options, &toolchain)?));
     }
-    let (mut costs, mut figures) = (String::new(), Vec::new());
+    let (mut costs, mut figures, mut beyond) = (String::new(), Vec::new(), Vec::new());
     for target in targets {
         let seen = emulated::seen(&compiled, &cases, &job.options, &target)?;
         costs += &emulated::table(&target, &cases, &seen);
+        beyond.extend(seen.beyond(&cases));
         figures.extend(emulated::figures(&target, &cases, &seen, &project.settings.limits));
         legs.push((target.name.to_owned(), seen.outcomes));
     }
@@ -194,6 +195,10 @@ fn compared(
             "  Inputs that run them, as of a flight: --inputs, --seed, or `same_bits` in a test.\n";
     }
     text += &costs;
+    for line in &beyond {
+        let _ = writeln!(text, "{line}: please report this");
+    }
+    all &= beyond.is_empty();
     if !hooked && is_stale(&job.output, &compiled) {
         text += "warning: what lies in the folder of the C is older than the models, and not what was compared here\n  to do: \
                  cargo bessemer gen\n";
