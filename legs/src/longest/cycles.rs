@@ -1,5 +1,6 @@
-//! Cycles of an instruction, by a simple model of two processors in order, with all data in the first cache or in
-//! memory without wait states.
+//! Cycles of an instruction, by a simple model of two processors that execute in order.
+//!
+//! All data are in the first cache, or in memory without wait states.
 //!
 //! Sources: Arm's Technical Reference Manuals of the Cortex-M4 (DDI 0439, table 3-1) and of the Cortex-A9's
 //! floating-point unit (DDI 0408, table 2-1). A branch counts as taken, on the Cortex-A9 as mispredicted. On the

@@ -113,7 +113,9 @@ fn quotient(divisor: f64) -> u64 {
     }
 }
 
-/// Returns the cost of a call, where a quotient has at most `places`; none of a function that is not in the table, and of a copy of unknown size.
+/// Returns the cost of a call, in which a quotient has at most `places` binary places.
+///
+/// A function that is not in the table, and a copy of unknown size, have no cost.
 pub fn cost(processor: Processor, name: &str, bytes: Option<u64>, places: u64) -> Option<Cost> {
     let instructions = match name {
         "memcpy" | "memset" | "memmove" => bytes? + COPY,

@@ -63,7 +63,7 @@ pub fn processor(toolchain: &Toolchain) -> Option<Processor> {
     }
 }
 
-/// Returns the instructions that an unoptimised caller needs at most to pass this many parameters, and to take the result.
+/// Returns the most instructions of an unoptimised caller that passes this many parameters and takes the result.
 pub fn call(parameters: usize) -> u64 {
     16 + 6 * parameters as u64
 }

@@ -15,10 +15,13 @@ use bessemer_ir::{Argument, Expr, ExprKind, Module, Place, Type};
 
 use super::assembly::{Block, Function};
 
+/// File and line of the C.
+type Line = (String, u32);
+
 /// The loops of the C.
 pub struct Passes {
-    /// By file and line: the last line of the loop, and its passes.
-    loops: BTreeMap<(String, u32), (u32, Option<u64>)>,
+    /// By the line of the head: the last line of the loop, and its passes.
+    loops: BTreeMap<Line, (u32, Option<u64>)>,
 }
 
 impl Passes {
@@ -60,12 +63,12 @@ impl Passes {
     /// The reason for none.
     pub fn of_loop(&self, function: &Function, blocks: &[usize]) -> Result<u64, String> {
         let places = blocks.iter().flat_map(|it| &function.blocks[*it].instructions);
-        let mut places: Vec<&(String, u32)> = places.filter_map(|it| it.place.as_ref()).collect();
+        let mut places: Vec<&Line> = places.filter_map(|it| it.place.as_ref()).collect();
         places.sort_unstable();
         places.dedup();
-        let found: Vec<(&(String, u32), &(u32, Option<u64>))> =
+        let found: Vec<_> =
             places.into_iter().filter_map(|it| self.loops.get_key_value(it)).collect();
-        let is_within = |inner: &(String, u32)| {
+        let is_within = |inner: &Line| {
             found.iter().any(|(outer, (last, _))| {
                 outer.0 == inner.0 && outer.1 < inner.1 && inner.1 <= *last
             })
@@ -91,9 +94,9 @@ fn last_line(lines: &[&str], at: usize) -> u32 {
     after.next().map_or(lines.len(), |(index, _)| index + 1) as u32
 }
 
-/// Numbers of passes by file and line of the Rust, of loops at one line the most; none if one of them has none.
-fn of_rust(module: &Module, estimates: &[Estimate]) -> BTreeMap<(String, u32), Option<u64>> {
-    let mut found: BTreeMap<(String, u32), Option<u64>> = BTreeMap::new();
+/// Returns the passes by file and line of the Rust: of several loops at one line the most, if each has a number.
+fn of_rust(module: &Module, estimates: &[Estimate]) -> BTreeMap<Line, Option<u64>> {
+    let mut found: BTreeMap<Line, Option<u64>> = BTreeMap::new();
     for it in estimates.iter().flat_map(|it| &it.loops) {
         let file = module.files.get(it.span.file as usize).cloned().unwrap_or_default();
         let passes = found.entry((file, it.span.line)).or_insert(Some(0));
@@ -150,7 +153,9 @@ fn value(text: &str, constants: &BTreeMap<&str, u64>) -> Option<u64> {
     text.trim().split(" * ").map(one).try_fold(1_u64, |product, it| product.checked_mul(it?))
 }
 
-/// Returns for each name of a slice parameter the longest array that is passed to one; a name of which one is unknown is not in it.
+/// Returns for each name of a slice parameter the longest array that is passed to one.
+///
+/// A name is not in it if the length of one argument is unknown.
 fn slices(module: &Module) -> BTreeMap<String, u64> {
     let mut found: BTreeMap<String, Option<u64>> = BTreeMap::new();
     for function in &module.functions {
