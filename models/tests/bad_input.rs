@@ -290,6 +290,20 @@ fn in_flight_neither_arming_nor_disarming_stops_the_motors() {
     assert!(last.command.motors.max() > 100.0);
 }
 
+#[test]
+fn a_moving_aircraft_is_not_armed_again() {
+    let outputs = flown(60, |n, inputs| {
+        // Nobody orders a take-off: the aircraft is carried at 2 m/s.
+        if n > 20 {
+            inputs.uplink = if n == 55 { packet(ARM, 2, &[]) } else { Packet::none() };
+        }
+        inputs.readings.vicon.position.x += 0.01 * n as f64;
+    });
+    let last = last(&outputs);
+    assert!(last.estimate.velocity.norm() > 0.5, "{:?}", last.estimate);
+    assert_eq!((last.reference.phase, last.command.motors.max()), (Phase::Ready, 0.0));
+}
+
 /// Returns the alarm of an aircraft in level flight at this height and vertical speed, m and m/s, that accelerates
 /// vertically by `climb`, m/s².
 fn alarm(height: f64, speed: f64, climb: f64) -> Alarm {

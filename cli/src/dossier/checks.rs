@@ -264,7 +264,7 @@ pub fn covered(
             open(&report.statements)
         );
         for row in &unused {
-            detail += &format!("; nothing is missing in `{}` at `{}`", row.function, row.code);
+            detail += &format!("; `{}` has no `{}`", row.function, row.code);
         }
         let verdict = if unused.is_empty() { PASSED } else { FAILED };
         outcomes.push(of("Reasons for missing coverage", verdict, detail));
@@ -282,7 +282,11 @@ pub fn targets() -> Vec<(&'static str, Toolchain)> {
 
 /// Returns the first error in a compiler's message, without the command and its paths.
 fn first_error(said: &str) -> &str {
-    said.lines().find_map(|line| Some(line.split_once("error: ")?.1)).unwrap_or("the C was refused")
+    // The linker's own message is above the one of the compiler that runs it.
+    let linker = |line| Some(str::split_once(str::split_once(line, ".ld:")?.1, ": ")?.1);
+    let compiler = |line| Some(str::split_once(line, "error: ")?.1);
+    let found = said.lines().find_map(linker).or_else(|| said.lines().find_map(compiler));
+    found.unwrap_or("the C was refused")
 }
 
 /// Compiles an empty function; the compiler's first error, such as a missing library of its own.
@@ -291,7 +295,8 @@ fn try_out(toolchain: &Toolchain) -> Result<(), String> {
     let compiled = tempfile::tempdir().map_err(|error| error.to_string()).and_then(|folder| {
         let source = folder.path().join("nothing.c");
         std::fs::write(&source, text).map_err(|error| error.to_string())?;
-        toolchain.object(&source, &[]).map(drop)
+        let (object, _) = toolchain.object(&source, &[])?;
+        toolchain.brought(&[object], "nothing", &folder.path().join("kept.o")).map(drop)
     });
     compiled.map_err(|said| first_error(&said).to_owned())
 }
@@ -383,6 +388,9 @@ mod tests {
         let said = "cc -c /tmp/x1/a.c\n\n/tmp/x1/a.c:3:5: error: expected `;`\ncc: error: 2\n";
         assert_eq!(first_error(said), "expected `;`");
         assert_eq!(first_error("cc: fatal error: cannot read spec file"), "cannot read spec file");
+        let said =
+            "gcc\n/usr/bin/ld:picolibc.ld:176: undefined symbol `x'\ncc: error: ld returned 1\n";
+        assert_eq!(first_error(said), "undefined symbol `x'");
         assert_eq!(first_error("killed"), "the C was refused");
         let toolchain = Toolchain { compiler: "no-such-compiler", ..GCC };
         assert_eq!(try_out(&toolchain), Err("the C was refused".to_owned()));

@@ -9,7 +9,7 @@ mod impossible;
 pub mod instrument;
 pub mod reasons;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
@@ -173,6 +173,9 @@ pub struct Report {
     pub impossible: usize,
     /// Decisions with too many conditions.
     pub too_many: Vec<String>,
+    /// Functions with the texts of their decisions, conditions and statements.
+    #[serde(skip)]
+    pub codes: BTreeSet<(String, String)>,
 }
 
 /// Builds the report of what runs have shown.
@@ -197,6 +200,7 @@ pub fn report(of: &Instrumented, seen: &Seen, folder: &Folder, inputs: Vec<Strin
             None => seen.ran.get(at) == Some(&true),
         };
         numbers += 1;
+        report.codes.insert((point.function.clone(), text(&point.file, point.line)));
         files.entry(&point.file).or_default().statements.add(usize::from(ran), 1);
         report.counts.statements.add(usize::from(ran), 1);
         let own = of_function.entry((&point.file, &point.function)).or_default();
@@ -226,6 +230,8 @@ pub fn report(of: &Instrumented, seen: &Seen, folder: &Folder, inputs: Vec<Strin
     }
     for (observed, evaluations) in of.decisions.iter().zip(&evaluated) {
         let counts = files.entry(&observed.file).or_default();
+        let texts = observed.conditions.iter().chain([&observed.text]);
+        report.codes.extend(texts.map(|text| (observed.function.clone(), text.clone())));
         for at in 0..observed.conditions.len() {
             let was = |state: State| evaluations.iter().any(|it| it.states[at] == state);
             let both = usize::from(was(State::True)) + usize::from(was(State::False));
