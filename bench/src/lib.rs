@@ -19,6 +19,7 @@
 //! | [`threads`] | what a second thread brings to large kernels |
 //! | [`crates`] | which crates of the field become C with attributes and imports alone |
 //! | [`equality`] | the elementary functions on millions of points, on every leg |
+//! | [`wasm`] | the emitted C beside C that is made of WebAssembly |
 //!
 //! [`count`] counts instructions on the emulated Cortex-A9.
 //!
@@ -42,3 +43,4 @@ pub mod qp;
 pub mod rebuild;
 pub mod shapes;
 pub mod threads;
+pub mod wasm;

@@ -10,7 +10,7 @@ use bench::kernels::results::Results;
 use bench::kernels::{machine, plot, report, run, stored};
 use bench::{
     accuracy_points, dsp, ekf, elementary, equality, generation, gradient, long, onboard, peers,
-    qp, rebuild, shapes, threads,
+    qp, rebuild, shapes, threads, wasm,
 };
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -38,7 +38,7 @@ struct Arguments {
     /// Points of each function for `equality` and `accuracy-points`
     #[arg(long, default_value_t = 10_000_000)]
     points: u32,
-    /// Folder with the repositories `CMSIS-DSP` and `TinyMPC`, for `dsp` and `qp`
+    /// Folder with the repositories `CMSIS-DSP`, `TinyMPC` and `w2c2`, the last one built, for `dsp`, `qp` and `wasm`
     #[arg(long)]
     peers: Option<PathBuf>,
 }
@@ -72,6 +72,8 @@ enum Part {
     Gradient,
     /// Quadratic programs beside code of OSQP and CVXPYgen, which pip installs, and TinyMPC
     Qp,
+    /// The models by wasm2c and w2c2, of WebAssembly, beside their emitted C
+    Wasm,
     /// Large kernels on one thread and on two
     Threads,
     /// The elementary functions on ten million points each, on every leg: a quarter of an hour
@@ -97,7 +99,7 @@ const AGAIN: &str = "measured again";
 /// A measurement: prints its table and, unless it is a short run, writes its results.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
-const PARTS: [(Part, Measurement); 16] = [
+const PARTS: [(Part, Measurement); 17] = [
     (Part::Kernels, kernels),
     (Part::Elementary, elementary),
     (Part::CheckCost, check_cost),
@@ -111,6 +113,7 @@ const PARTS: [(Part, Measurement); 16] = [
     (Part::Autopilot, of_autopilot),
     (Part::Gradient, of_gradient),
     (Part::Qp, of_qp),
+    (Part::Wasm, of_wasm),
     (Part::Threads, on_threads),
     (Part::Equality, equality),
     (Part::AccuracyPoints, on_accuracy_points),
@@ -349,6 +352,17 @@ fn of_qp(arguments: &Arguments) -> Result<(), String> {
     }
     arguments.write("qp", &json)?;
     if arguments.quick { Ok(()) } else { put("qp.md", &page) }
+}
+
+fn of_wasm(arguments: &Arguments) -> Result<(), String> {
+    let longest = if arguments.quick { 2.0 } else { f64::INFINITY };
+    let rows = wasm::measure(longest, arguments.peers.as_deref())?;
+    println!("{}", wasm::table(&rows));
+    if arguments.peers.is_none() {
+        eprintln!("nothing is written without `--peers FOLDER`");
+        return Ok(());
+    }
+    arguments.write("wasm", &wasm::json(&rows))
 }
 
 fn on_threads(arguments: &Arguments) -> Result<(), String> {

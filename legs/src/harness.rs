@@ -30,7 +30,7 @@ pub fn marked_by(module: &Module, entry: FunctionId, params: u32, marks: &str) -
 
 /// Functions that mark the calls for a counter. They have external linkage and are never inlined, so that they have
 /// addresses. Also the stack, filled with a pattern.
-const MARKS: &str = include_str!("../c/watch.c");
+pub const MARKS: &str = include_str!("../c/watch.c");
 
 fn around(
     module: &Module,

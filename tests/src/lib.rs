@@ -8,6 +8,7 @@ pub mod alive;
 pub mod batch;
 pub mod edge_values;
 pub mod golden;
+pub mod linked;
 pub mod pilot;
 pub mod turn;
 pub mod workspace;

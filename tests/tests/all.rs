@@ -21,6 +21,7 @@ mod kernel_options;
 mod large;
 mod layouts;
 mod linear;
+mod linked;
 mod mathematics;
 mod newcomers;
 mod packs;

@@ -73,7 +73,6 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
         let mut command = cargo(&lints);
         command.args(["--", "-D", "warnings"]);
         check(&mut progress, "lints of what only a full run builds", command, None)?;
-        elsewhere(root, &mut progress)?;
     }
     let (programs, documented) = progress.closed(BUILD, |voice| programs(root, wanted, voice))?;
     if let Some(installation) = installation {
@@ -318,38 +317,6 @@ fn lacking(wanted: &Test, machine: &dyn Machine) -> Vec<&'static Tool> {
 
 fn names(tools: &[&'static Tool]) -> Vec<&'static str> {
     tools.iter().map(|tool| tool.name).collect()
-}
-
-/// Processors for which the DSL and the models are built, and others without an operating system.
-const TARGETS: [&str; 5] = [
-    "thumbv7em-none-eabihf",
-    "thumbv6m-none-eabi",
-    "armv7-unknown-linux-gnueabihf",
-    "riscv32imac-unknown-none-elf",
-    "wasm32-unknown-unknown",
-];
-
-/// Builds the DSL and the models for other processors, as far as rustup has added these.
-fn elsewhere(root: &Path, progress: &mut Progress) -> Result<(), Error> {
-    let is_there = |target: &&str| {
-        let mut rustc = Command::new("rustc");
-        let output = rustc.args(["--print", "target-libdir", "--target", target]).output();
-        output
-            .is_ok_and(|output| Path::new(String::from_utf8_lossy(&output.stdout).trim()).is_dir())
-    };
-    let (there, absent): (Vec<&str>, Vec<&str>) = TARGETS.iter().partition(|it| is_there(it));
-    if !absent.is_empty() {
-        anstream::eprintln!("left out: `rustup target add {}`", absent.join(" "));
-    }
-    if there.is_empty() {
-        return Ok(());
-    }
-    let mut command =
-        project::cargo(root, &["build", "--lib", "--package", "bessemer", "--package", "models"]);
-    there.iter().for_each(|target| {
-        command.args(["--target", target]);
-    });
-    check(progress, "models for processors of 32 bits", command, None)
 }
 
 /// Runs a stage without output unless it fails.

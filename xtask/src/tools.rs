@@ -233,6 +233,19 @@ pub const TOOLS: &[Tool] = &[
     headers("riscv64 C library", programs::RISCV64_GCC, Need::Full),
     program(programs::QEMU_RISCV64, "runs it", Need::Full),
     program(
+        programs::RISCV_BARE_GCC,
+        "compiles the program around the models for RISC-V of 32 bits",
+        Need::Full,
+    ),
+    Tool {
+        name: "picolibc",
+        purpose: "headers and libraries for the above",
+        need: Need::Full,
+        probe: Probe::File("/usr/lib/picolibc/riscv64-unknown-elf/picolibc.specs"),
+        source: Source::Package(programs::RISCV_BARE_GCC.packages[1]),
+    },
+    program(programs::QEMU_SYSTEM_RISCV32, "runs it", Need::Full),
+    program(
         programs::S390X_GCC,
         "compiles the emitted C for s390x, which is big-endian",
         Need::Full,
@@ -261,6 +274,13 @@ pub const TOOLS: &[Tool] = &[
         probe: Probe::Version("chromium"),
         source: Source::Package("chromium"),
     },
+    package(
+        "wasmtime",
+        "runs the models as WebAssembly",
+        Need::Full,
+        "wasmtime",
+        "wasmtime==50.0.1",
+    ),
     package("pymavlink", "the other end of MAVLink", Need::Full, "pymavlink", "pymavlink==2.4.50"),
     Tool {
         name: "valgrind",
@@ -268,6 +288,13 @@ pub const TOOLS: &[Tool] = &[
         need: Need::Bench,
         probe: Probe::Version("valgrind"),
         source: Source::Package("valgrind"),
+    },
+    Tool {
+        name: "wasm2c",
+        purpose: "a peer: C of WebAssembly",
+        need: Need::Bench,
+        probe: Probe::Version("wasm2c"),
+        source: Source::Package("wabt"),
     },
     Tool {
         name: "Eigen",

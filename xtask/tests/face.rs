@@ -77,6 +77,7 @@ impl Fake {
             .with("arm-none-eabi-gcc", "arm-none-eabi-gcc (15:12.2.rel1-1) 12.2.1 20221205")
             .with("qemu-system-arm", "QEMU emulator version 7.2.22 (Debian 1:7.2+dfsg-7)")
             .with("valgrind", "valgrind-3.19.0")
+            .with("wasm2c", "1.0.32")
             .with("arm-linux-gnueabihf-g++", "arm-linux-gnueabihf-g++ (Debian 12.2.0-14) 12.2.0");
         for (compiler, answer) in [
             ("aarch64-linux-gnu-gcc", "aarch64-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
@@ -99,6 +100,8 @@ impl Fake {
             ("frama-c", "25.0-beta (Manganese)"),
             ("cppcheck", "Cppcheck 2.10"),
             ("chromium", "Chromium 150.0.1 built on Debian GNU/Linux 12 (bookworm)"),
+            ("riscv64-unknown-elf-gcc", "riscv64-unknown-elf-gcc () 12.2.0"),
+            ("qemu-system-riscv32", "QEMU emulator version 7.2.22 (Debian 1:7.2+dfsg-7)"),
             ("qemu-s390x", "qemu-s390x version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
             ("qemu-alpha", "qemu-alpha version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
             ("qemu-hppa", "qemu-hppa version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
@@ -175,7 +178,7 @@ fn packages_of_pythons_come_last_and_below_target() {
         last,
         format!(
             "python3 -m venv --clear {own} && {own}/bin/pip install --quiet --no-compile \
-             numpy==2.3.5 fmpy==0.3.32 pya2ldb==1.0.355 fprime-fpp==3.4.0 pymavlink==2.4.50"
+             numpy==2.3.5 fmpy==0.3.32 pya2ldb==1.0.355 fprime-fpp==3.4.0 wasmtime==50.0.1 pymavlink==2.4.50"
         )
     );
 }
@@ -270,6 +273,9 @@ qemu-aarch64             7.2.22        test --full        runs it
 riscv64-linux-gnu-gcc    12.2.0        test --full        compiles the emitted C for RISC-V
 riscv64 C library        found         test --full        headers and libraries for the above
 qemu-riscv64             7.2.22        test --full        runs it
+riscv64-unknown-elf-gcc  12.2.0        test --full        compiles the program around the models for RISC-V of 32 bits
+picolibc                 found         test --full        headers and libraries for the above
+qemu-system-riscv32      7.2.22        test --full        runs it
 s390x-linux-gnu-gcc      12.2.0        test --full        compiles the emitted C for s390x, which is big-endian
 s390x C library          found         test --full        headers and libraries for the above
 qemu-s390x               7.2.22        test --full        runs it
@@ -289,8 +295,10 @@ powerpc-linux-gnu-gcc    12.2.0        test --full        compiles the emitted C
 powerpc C library        found         test --full        headers and libraries for the above
 qemu-ppc                 7.2.22        test --full        runs it
 chromium                 150.0.1       test --full        shows the page of the ground station
+wasmtime                 found         test --full        runs the models as WebAssembly
 pymavlink                found         test --full        the other end of MAVLink
 valgrind                 3.19.0        bench              counts instructions on the host
+wasm2c                   1.0.32        bench              a peer: C of WebAssembly
 Eigen                    found         bench              a peer
 OpenBLAS                 found         bench              a peer
 LAPACK                   found         bench              a peer: the reference
