@@ -90,11 +90,10 @@ pub struct Variant {
 }
 
 impl Struct {
-    /// Returns true if fields can share memory, since at most one holds a value: the payloads of an enum with at
-    /// least two.
+    /// Returns true if fields can share memory, since at most one holds a value: the payloads of an enum or a `Result`
+    /// with at least two.
     pub fn overlaid(&self) -> bool {
-        let tagged = matches!(self.fields.first(), Some(Field { ty: Type::Enum(_), .. }));
-        matches!(self.form, Form::Choice(_)) && tagged && self.fields.len() > 2
+        matches!(self.form, Form::Choice(_)) && self.fields.len() > 2
     }
 
     /// Returns true if a field holds a value when the first word is `word`.

@@ -991,12 +991,10 @@ static inline void bessemer_search_binary_search_u8(const uint8_t values[], uint
         wanted);
     if (from < values_length && values[from] == wanted) {
         result->is_ok = true;
-        result->value = from;
-        result->error = UINT64_C(0);
+        result->as.value = from;
     } else {
         result->is_ok = false;
-        result->value = UINT64_C(0);
-        result->error = from;
+        result->as.error = from;
     }
 }
 
@@ -1558,8 +1556,8 @@ static inline bool damage_equal(const damage_t *one, const damage_t *other)
 static inline bool result_u16_damage_equal(const result_u16_damage_t *one,
     const result_u16_damage_t *other)
 {
-    return one->is_ok == other->is_ok && (!one->is_ok || one->value == other->value)
-        && (one->is_ok || damage_equal(&one->error, &other->error));
+    return one->is_ok == other->is_ok && (!one->is_ok || one->as.value == other->as.value)
+        && (one->is_ok || damage_equal(&one->as.error, &other->as.error));
 }
 
 /** Whether the two are equal, part by part. */

@@ -89,6 +89,8 @@ pub struct Usage {
     pub assigned: Vec<bool>,
     /// True for each local that is read or borrowed.
     pub read: Vec<bool>,
+    /// True for each local that is read or borrowed as a whole, so that all its bytes may be copied.
+    pub whole: Vec<bool>,
 }
 
 impl Usage {
@@ -96,7 +98,7 @@ impl Usage {
     pub fn new(function: &Function) -> Usage {
         let count = function.locals.len();
         let none = || vec![false; count];
-        let usage = Usage { assigned: none(), read: none() };
+        let usage = Usage { assigned: none(), read: none(), whole: none() };
         let mut uses = Uses { function, usage, own: None };
         uses.block(&function.body);
         uses.usage
@@ -123,7 +125,7 @@ impl Visit for Uses<'_> {
     }
 
     fn place(&mut self, place: &Place, access: Access) {
-        let (root, Usage { assigned, read }) = (place.root, &mut self.usage);
+        let (root, Usage { assigned, read, whole }) = (place.root, &mut self.usage);
         assigned[root.index()] |= access != Access::Read;
         read[root.index()] |= match access {
             Access::Read => Some(root) != self.own,
@@ -131,6 +133,7 @@ impl Visit for Uses<'_> {
             Access::Write => self.function.local(root).mode == Mode::RefMut,
             Access::Lend => true,
         };
+        whole[root.index()] |= access != Access::Write && place.steps.is_empty();
         walk_place(self, place);
     }
 }

@@ -29,21 +29,16 @@ void converted_errors_payload(const uint8_t frame[3],
         const uint8_t low = frame[1];
         const uint8_t high = frame[2];
         const uint8_t result_bytes[2] = {low, high};
-        *result = (result_u16_frame_fault_t){
-            .is_ok = true,
-            .value = (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U))
-        };
+        result->is_ok = true;
+        result->as.value = (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
     } else if (frame[0] == 0U && frame[1] == 0U && frame[2] == 0U) {
-        *result = (result_u16_frame_fault_t){
-            .is_ok = false,
-            .error = {.tag = FRAME_FAULT_TAG_SHORT}
-        };
+        result->is_ok = false;
+        result->as.error = (frame_fault_t){.tag = FRAME_FAULT_TAG_SHORT};
     } else {
         const uint8_t start = frame[0];
-        *result = (result_u16_frame_fault_t){
-            .is_ok = false,
-            .error = {.tag = FRAME_FAULT_TAG_START, .start = start}
-        };
+        result->is_ok = false;
+        result->as.error.tag = FRAME_FAULT_TAG_START;
+        result->as.error.start = start;
     }
 }
 
@@ -54,19 +49,19 @@ void converted_errors_current(const uint8_t frame[3], float limit,
     converted_errors_payload(frame, &current_outcome);
     if (!current_outcome.is_ok) {
         drive_fault_t result_error;
-        drive_fault_from_frame_fault(&current_outcome.error, &result_error);
-        *result = (result_f32_drive_fault_t){.is_ok = false, .error = result_error};
+        drive_fault_from_frame_fault(&current_outcome.as.error, &result_error);
+        result->is_ok = false;
+        result->as.error = result_error;
         return;
     }
-    const float current = (float)current_outcome.value * 0.01F;
+    const float current = (float)current_outcome.as.value * 0.01F;
     if (current > limit) {
-        *result = (result_f32_drive_fault_t){
-            .is_ok = false,
-            .error = {.tag = DRIVE_FAULT_TAG_OVERLOAD}
-        };
+        result->is_ok = false;
+        result->as.error = (drive_fault_t){.tag = DRIVE_FAULT_TAG_OVERLOAD};
         return;
     }
-    *result = (result_f32_drive_fault_t){.is_ok = true, .value = current};
+    result->is_ok = true;
+    result->as.value = current;
 }
 
 void converted_errors_total(const uint8_t one[3], const uint8_t other[3], float limit,
@@ -76,22 +71,22 @@ void converted_errors_total(const uint8_t one[3], const uint8_t other[3], float 
     converted_errors_current(one, limit, &outcome);
     if (!outcome.is_ok) {
         fault_code_t result_error;
-        fault_code_from_drive_fault(&outcome.error, &result_error);
-        *result = (result_f32_fault_code_t){.is_ok = false, .error = result_error};
+        fault_code_from_drive_fault(&outcome.as.error, &result_error);
+        result->is_ok = false;
+        result->as.error = result_error;
         return;
     }
     result_f32_drive_fault_t other_outcome;
     converted_errors_current(other, limit, &other_outcome);
     if (!other_outcome.is_ok) {
         fault_code_t result_error;
-        fault_code_from_drive_fault(&other_outcome.error, &result_error);
-        *result = (result_f32_fault_code_t){.is_ok = false, .error = result_error};
+        fault_code_from_drive_fault(&other_outcome.as.error, &result_error);
+        result->is_ok = false;
+        result->as.error = result_error;
         return;
     }
-    *result = (result_f32_fault_code_t){
-        .is_ok = true,
-        .value = outcome.value + other_outcome.value
-    };
+    result->is_ok = true;
+    result->as.value = outcome.as.value + other_outcome.as.value;
 }
 
 /* converted_errors.h */
@@ -115,10 +110,13 @@ typedef struct {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    uint16_t value;
-    /** Reason why there is no value. */
-    frame_fault_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        uint16_t value;
+        /** Reason why there is no value. */
+        frame_fault_t error;
+    } as;
 } result_u16_frame_fault_t;
 
 /** Which variant of `DriveFault`. */
@@ -140,10 +138,13 @@ typedef struct {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    float value;
-    /** Reason why there is no value. */
-    drive_fault_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        float value;
+        /** Reason why there is no value. */
+        drive_fault_t error;
+    } as;
 } result_f32_drive_fault_t;
 
 /** The number of a fault for the display. */
@@ -155,8 +156,11 @@ typedef struct {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    float value;
-    /** Reason why there is no value. */
-    fault_code_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        float value;
+        /** Reason why there is no value. */
+        fault_code_t error;
+    } as;
 } result_f32_fault_code_t;

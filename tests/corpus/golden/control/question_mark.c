@@ -5,11 +5,14 @@
 void question_mark_voltage(uint16_t count, result_f64_failure_t *result)
 {
     if (count <= 9U) {
-        *result = (result_f64_failure_t){.is_ok = false, .error = FAILURE_SHORT};
+        result->is_ok = false;
+        result->as.error = FAILURE_SHORT;
     } else if (count >= 4000U) {
-        *result = (result_f64_failure_t){.is_ok = false, .error = FAILURE_OPEN};
+        result->is_ok = false;
+        result->as.error = FAILURE_OPEN;
     } else {
-        *result = (result_f64_failure_t){.is_ok = true, .value = (double)count / 1000.0};
+        result->is_ok = true;
+        result->as.value = (double)count / 1000.0;
     }
 }
 
@@ -18,18 +21,21 @@ void question_mark_power(uint16_t volts, uint16_t amperes, result_f64_failure_t 
     result_f64_failure_t u_outcome;
     question_mark_voltage(volts, &u_outcome);
     if (!u_outcome.is_ok) {
-        *result = (result_f64_failure_t){.is_ok = false, .error = u_outcome.error};
+        result->is_ok = false;
+        result->as.error = u_outcome.as.error;
         return;
     }
-    const double u = u_outcome.value;
+    const double u = u_outcome.as.value;
     result_f64_failure_t i_outcome;
     question_mark_voltage(amperes, &i_outcome);
     if (!i_outcome.is_ok) {
-        *result = (result_f64_failure_t){.is_ok = false, .error = i_outcome.error};
+        result->is_ok = false;
+        result->as.error = i_outcome.as.error;
         return;
     }
-    const double i = i_outcome.value;
-    *result = (result_f64_failure_t){.is_ok = true, .value = u * i};
+    const double i = i_outcome.as.value;
+    result->is_ok = true;
+    result->as.value = u * i;
 }
 
 /* question_mark.h */
@@ -44,8 +50,11 @@ typedef enum {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    double value;
-    /** Reason why there is no value. */
-    failure_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        double value;
+        /** Reason why there is no value. */
+        failure_t error;
+    } as;
 } result_f64_failure_t;

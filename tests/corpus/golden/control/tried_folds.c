@@ -18,9 +18,9 @@ void tried_folds_total(const uint8_t values[5], option_u8_t *BESSEMER_RESTRICT r
 bessemer_status_t tried_folds_number(const uint8_t digits[4],
     result_u16_tried_folds_trouble_t *BESSEMER_RESTRICT result)
 {
-    result_u16_tried_folds_trouble_t tried = {.is_ok = true, .value = 0U};
+    result_u16_tried_folds_trouble_t tried = {.is_ok = true, .as.value = 0U};
     for (uint32_t i = 0U; i < 4U; i++) {
-        const uint16_t value = tried.value;
+        const uint16_t value = tried.as.value;
         if (!ascii_is_digit(digits[i])) {
             tried_folds_return_letter(&tried);
         } else {
@@ -38,13 +38,11 @@ bessemer_status_t tried_folds_number(const uint8_t digits[4],
             }
             result_u16_tried_folds_trouble_t tried_choice_2 = {
                 .is_ok = false,
-                .error = TRIED_FOLDS_TROUBLE_BEYOND
+                .as.error = TRIED_FOLDS_TROUBLE_BEYOND
             };
             if (tried_choice.is_some) {
-                tried_choice_2 = (result_u16_tried_folds_trouble_t){
-                    .is_ok = true,
-                    .value = tried_choice.value
-                };
+                tried_choice_2.is_ok = true;
+                tried_choice_2.as.value = tried_choice.value;
             }
             tried = tried_choice_2;
         }
@@ -58,10 +56,8 @@ bessemer_status_t tried_folds_number(const uint8_t digits[4],
 
 void tried_folds_return_letter(result_u16_tried_folds_trouble_t *result)
 {
-    *result = (result_u16_tried_folds_trouble_t){
-        .is_ok = false,
-        .error = TRIED_FOLDS_TROUBLE_LETTER
-    };
+    result->is_ok = false;
+    result->as.error = TRIED_FOLDS_TROUBLE_LETTER;
 }
 
 void tried_folds_span(const float readings[4], option_pair_f32_f32_t *BESSEMER_RESTRICT result)
@@ -99,8 +95,11 @@ typedef enum {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    uint16_t value;
-    /** Reason why there is no value. */
-    tried_folds_trouble_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        uint16_t value;
+        /** Reason why there is no value. */
+        tried_folds_trouble_t error;
+    } as;
 } result_u16_tried_folds_trouble_t;

@@ -87,10 +87,8 @@ bessemer_status_t checked_parts_number(const uint8_t frame[6], uint64_t at,
     }
     const uint64_t value_to = at + UINT64_C(2);
     if (!(at <= value_to && value_to <= UINT64_C(6))) {
-        *result = (result_u16_checked_parts_missing_t){
-            .is_ok = false,
-            .error = {.tag = MISSING_TAG_SHORT}
-        };
+        result->is_ok = false;
+        result->as.error = (checked_parts_missing_t){.tag = MISSING_TAG_SHORT};
         return BESSEMER_STATUS_OK;
     }
     if (at >= UINT64_C(6)) {
@@ -101,10 +99,8 @@ bessemer_status_t checked_parts_number(const uint8_t frame[6], uint64_t at,
         return BESSEMER_STATUS_INDEX;
     }
     const uint8_t result_bytes[2] = {result_element, frame[at + UINT64_C(1)]};
-    *result = (result_u16_checked_parts_missing_t){
-        .is_ok = true,
-        .value = (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U))
-    };
+    result->is_ok = true;
+    result->as.value = (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
     return BESSEMER_STATUS_OK;
 }
 
@@ -112,17 +108,17 @@ void checked_parts_sum_up_to(const uint8_t frame[6], uint64_t end,
     result_u16_checked_parts_missing_t *BESSEMER_RESTRICT result)
 {
     if (end > UINT64_C(6)) {
-        *result = (result_u16_checked_parts_missing_t){
-            .is_ok = false,
-            .error = {.tag = MISSING_TAG_BEYOND, .beyond = end}
-        };
+        result->is_ok = false;
+        result->as.error.tag = MISSING_TAG_BEYOND;
+        result->as.error.beyond = end;
         return;
     }
     uint16_t sum = 0U;
     for (uint64_t i = UINT64_C(0); i < end; i++) {
         sum = (uint16_t)(sum + (uint16_t)frame[i]);
     }
-    *result = (result_u16_checked_parts_missing_t){.is_ok = true, .value = sum};
+    result->is_ok = true;
+    result->as.value = sum;
 }
 
 void checked_parts_speed_on(const list4_checked_parts_leg_t *route, uint64_t index,
@@ -143,16 +139,12 @@ bessemer_status_t checked_parts_last_time(const checked_parts_leg_t route[2], ui
         return BESSEMER_STATUS_INDEX;
     }
     if (count <= UINT64_C(0)) {
-        *result = (result_f64_checked_parts_missing_t){
-            .is_ok = false,
-            .error = {.tag = MISSING_TAG_SHORT}
-        };
+        result->is_ok = false;
+        result->as.error = (checked_parts_missing_t){.tag = MISSING_TAG_SHORT};
         return BESSEMER_STATUS_OK;
     }
-    *result = (result_f64_checked_parts_missing_t){
-        .is_ok = true,
-        .value = route[count - UINT64_C(1)].time
-    };
+    result->is_ok = true;
+    result->as.value = route[count - UINT64_C(1)].time;
     return BESSEMER_STATUS_OK;
 }
 
@@ -178,20 +170,26 @@ typedef struct {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    double value;
-    /** Reason why there is no value. */
-    checked_parts_missing_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        double value;
+        /** Reason why there is no value. */
+        checked_parts_missing_t error;
+    } as;
 } result_f64_checked_parts_missing_t;
 
 /** `Result<u16, Missing>`: a value, or the reason why there is none. */
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    uint16_t value;
-    /** Reason why there is no value. */
-    checked_parts_missing_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        uint16_t value;
+        /** Reason why there is no value. */
+        checked_parts_missing_t error;
+    } as;
 } result_u16_checked_parts_missing_t;
 
 /** A distance, and the time that it takes. */

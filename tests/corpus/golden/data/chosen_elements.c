@@ -24,9 +24,11 @@ void transfers_at(transfers_t *BESSEMER_RESTRICT self, uint64_t index,
         result_found.is_some = true;
         result_found.value.index = index;
     }
-    *result = (result_element_mut_transfer_u8_t){.is_ok = false, .error = 3U};
+    result->is_ok = false;
+    result->as.error = 3U;
     if (result_found.is_some) {
-        *result = (result_element_mut_transfer_u8_t){.is_ok = true, .value = result_found.value};
+        result->is_ok = true;
+        result->as.value = result_found.value;
     }
 }
 
@@ -180,11 +182,13 @@ void chosen_elements_end(transfers_t *BESSEMER_RESTRICT transfers, uint64_t inde
     result_element_mut_transfer_u8_t outcome;
     transfers_at(transfers, index, &outcome);
     if (!outcome.is_ok) {
-        *result = (result_u16_u8_t){.is_ok = false, .error = outcome.error};
+        result->is_ok = false;
+        result->as.error = outcome.as.error;
         return;
     }
-    transfers->all[outcome.value.index].busy = false;
-    *result = (result_u16_u8_t){.is_ok = true, .value = transfers->all[outcome.value.index].tries};
+    transfers->all[outcome.as.value.index].busy = false;
+    result->is_ok = true;
+    result->as.value = transfers->all[outcome.as.value.index].tries;
 }
 
 uint64_t chosen_elements_halve(float readings[5], float most)
@@ -260,20 +264,16 @@ bessemer_status_t chosen_elements_frame_put(chosen_elements_frame_t *BESSEMER_RE
     if (value_index < 5U) {
         self->bytes[value_index] = byte;
     } else {
-        *result = (result_element_mut_chosen_elements_frame_u8_t){
-            .is_ok = false,
-            .error = self->length
-        };
+        result->is_ok = false;
+        result->as.error = self->length;
         return BESSEMER_STATUS_OK;
     }
     if (self->length > 254U) {
         return BESSEMER_STATUS_OVERFLOW;
     }
     self->length = (uint8_t)(self->length + 1U);
-    *result = (result_element_mut_chosen_elements_frame_u8_t){
-        .is_ok = true,
-        .value = {.index = UINT64_C(0)}
-    };
+    result->is_ok = true;
+    result->as.value.index = UINT64_C(0);
     return BESSEMER_STATUS_OK;
 }
 
@@ -288,10 +288,8 @@ bessemer_status_t chosen_elements_frame_put_word(chosen_elements_frame_t *BESSEM
         return status;
     }
     if (!outcome.is_ok) {
-        *result = (result_element_mut_chosen_elements_frame_u8_t){
-            .is_ok = false,
-            .error = outcome.error
-        };
+        result->is_ok = false;
+        result->as.error = outcome.as.error;
         return BESSEMER_STATUS_OK;
     }
     status = chosen_elements_frame_put(self, elements[1], result);
@@ -311,7 +309,8 @@ bessemer_status_t chosen_elements_framed(chosen_elements_frame_t *BESSEMER_RESTR
         return status;
     }
     if (!outcome.is_ok) {
-        *result = (result_u8_u8_t){.is_ok = false, .error = outcome.error};
+        result->is_ok = false;
+        result->as.error = outcome.as.error;
         return BESSEMER_STATUS_OK;
     }
     result_element_mut_chosen_elements_frame_u8_t frame_outcome;
@@ -320,11 +319,13 @@ bessemer_status_t chosen_elements_framed(chosen_elements_frame_t *BESSEMER_RESTR
         return status;
     }
     if (!frame_outcome.is_ok) {
-        *result = (result_u8_u8_t){.is_ok = false, .error = frame_outcome.error};
+        result->is_ok = false;
+        result->as.error = frame_outcome.as.error;
         return BESSEMER_STATUS_OK;
     }
     frame->bytes[0] = (uint8_t)(frame->bytes[0] | 0x80U);
-    *result = (result_u8_u8_t){.is_ok = true, .value = frame->length};
+    result->is_ok = true;
+    result->as.value = frame->length;
     return BESSEMER_STATUS_OK;
 }
 

@@ -29,10 +29,10 @@ bessemer_status_t display_show(display_t *BESSEMER_RESTRICT self, programs_data_
     result_f64_str_t value_2;
     programs_data_names_positive(value, &value_2);
     if (value_2.is_ok) {
-        self->shown.value = value_2.value;
+        self->shown.value = value_2.as.value;
     } else {
         self->reason.is_some = true;
-        self->reason.value = value_2.error;
+        self->reason.value = value_2.as.error;
     }
     *result = self->shown.name == NAME_IDLE;
     return BESSEMER_STATUS_OK;
@@ -109,13 +109,16 @@ void programs_data_names_mode_of(uint32_t name, option_names_mode_t *result)
 void programs_data_names_positive(double value, result_f64_str_t *result)
 {
     if (isnan(value) != 0) {
-        *result = (result_f64_str_t){.is_ok = false, .error = NAME_NOT_A_NUMBER};
+        result->is_ok = false;
+        result->as.error = NAME_NOT_A_NUMBER;
         return;
     }
     if (value > 0.0) {
-        *result = (result_f64_str_t){.is_ok = true, .value = value};
+        result->is_ok = true;
+        result->as.value = value;
     } else {
-        *result = (result_f64_str_t){.is_ok = false, .error = NAME_NOT_POSITIVE};
+        result->is_ok = false;
+        result->as.error = NAME_NOT_POSITIVE;
     }
 }
 

@@ -6,18 +6,18 @@ void results_payload(const uint8_t frame[3], uint8_t len,
     result_u16_refused_t *BESSEMER_RESTRICT result)
 {
     if (len < 3U) {
-        *result = (result_u16_refused_t){.is_ok = false, .error = REFUSED_SHORT};
+        result->is_ok = false;
+        result->as.error = REFUSED_SHORT;
         return;
     }
     if ((uint8_t)((uint32_t)frame[0] + (uint32_t)frame[1]) != frame[2]) {
-        *result = (result_u16_refused_t){.is_ok = false, .error = REFUSED_CHECKSUM};
+        result->is_ok = false;
+        result->as.error = REFUSED_CHECKSUM;
         return;
     }
     const uint8_t result_bytes[2] = {frame[0], frame[1]};
-    *result = (result_u16_refused_t){
-        .is_ok = true,
-        .value = (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U))
-    };
+    result->is_ok = true;
+    result->as.value = (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
 }
 
 /* results.h */
@@ -34,8 +34,11 @@ typedef enum {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    uint16_t value;
-    /** Reason why there is no value. */
-    refused_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        uint16_t value;
+        /** Reason why there is no value. */
+        refused_t error;
+    } as;
 } result_u16_refused_t;

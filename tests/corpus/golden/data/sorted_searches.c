@@ -53,7 +53,7 @@ bessemer_status_t sorted_searches_value(const list5_sorted_searches_point_t *poi
     option_usize_t at_choice = {.is_some = false};
     if (at_outcome.is_ok) {
         at_choice.is_some = true;
-        at_choice.value = at_outcome.value;
+        at_choice.value = at_outcome.as.value;
     }
     if (!at_choice.is_some) {
         *result = (option_f64_t){.is_some = false};
@@ -88,7 +88,8 @@ static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_
         const sorted_searches_point_t value = values[middle];
         const uint16_t found = value.code;
         if (found == wanted) {
-            *result = (result_usize_usize_t){.is_ok = true, .value = middle};
+            result->is_ok = true;
+            result->as.value = middle;
             return;
         }
         if (found < wanted) {
@@ -98,7 +99,8 @@ static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_
             left /= UINT64_C(2);
         }
     }
-    *result = (result_usize_usize_t){.is_ok = false, .error = from};
+    result->is_ok = false;
+    result->as.error = from;
 }
 
 uint64_t sorted_searches_nearest(const float sorted[5], float x)
@@ -106,11 +108,11 @@ uint64_t sorted_searches_nearest(const float sorted[5], float x)
     result_usize_usize_t at;
     sorted_searches_binary_search_by_in_nearest(sorted, UINT64_C(5), x, &at);
     if (at.is_ok) {
-        return at.value;
-    } else if (at.error == UINT64_C(0)) {
+        return at.as.value;
+    } else if (at.as.error == UINT64_C(0)) {
         return UINT64_C(0);
     } else {
-        return at.error - UINT64_C(1);
+        return at.as.error - UINT64_C(1);
     }
 }
 
@@ -136,7 +138,8 @@ static void sorted_searches_binary_search_by_in_nearest(const float values[],
         const float value = values[middle];
         switch (comparison_total_f32(value, x)) {
         case ORDERING_EQUAL:
-            *result = (result_usize_usize_t){.is_ok = true, .value = middle};
+            result->is_ok = true;
+            result->as.value = middle;
             return;
         case ORDERING_LESS:
             from = middle + UINT64_C(1);
@@ -148,7 +151,8 @@ static void sorted_searches_binary_search_by_in_nearest(const float values[],
             break;
         }
     }
-    *result = (result_usize_usize_t){.is_ok = false, .error = from};
+    result->is_ok = false;
+    result->as.error = from;
 }
 
 /* sorted_searches.h */

@@ -5,28 +5,26 @@
 void transposed_checked(int16_t reading, result_i16_transposed_broken_t *result)
 {
     if (reading <= -1) {
-        *result = (result_i16_transposed_broken_t){
-            .is_ok = false,
-            .error = {.tag = BROKEN_TAG_BELOW, .below = reading}
-        };
+        result->is_ok = false;
+        result->as.error.tag = BROKEN_TAG_BELOW;
+        result->as.error.below = reading;
     } else if (reading <= 999) {
-        *result = (result_i16_transposed_broken_t){.is_ok = true, .value = reading};
+        result->is_ok = true;
+        result->as.value = reading;
     } else {
-        *result = (result_i16_transposed_broken_t){
-            .is_ok = false,
-            .error = {.tag = BROKEN_TAG_ABOVE}
-        };
+        result->is_ok = false;
+        result->as.error = (transposed_broken_t){.tag = BROKEN_TAG_ABOVE};
     }
 }
 
 void transposed_perhaps(const option_i16_t *reading,
     result_option_i16_transposed_broken_t *BESSEMER_RESTRICT result)
 {
-    result_option_i16_transposed_broken_t reading_choice;
-    option_result_i16_transposed_broken_t reading_choice_2;
+    result_option_i16_transposed_broken_t reading_choice = {0};
+    option_result_i16_transposed_broken_t reading_choice_2 = {0};
     if (reading->is_some) {
         const int16_t reading_2 = reading->value;
-        result_i16_transposed_broken_t reading_choice_value;
+        result_i16_transposed_broken_t reading_choice_value = {0};
         transposed_checked(reading_2, &reading_choice_value);
         reading_choice_2.is_some = true;
         reading_choice_2.value = reading_choice_value;
@@ -34,53 +32,46 @@ void transposed_perhaps(const option_i16_t *reading,
         reading_choice_2 = (option_result_i16_transposed_broken_t){.is_some = false};
     }
     if (reading_choice_2.is_some && reading_choice_2.value.is_ok) {
-        reading_choice = (result_option_i16_transposed_broken_t){
-            .is_ok = true,
-            .value = {.is_some = true, .value = reading_choice_2.value.value}
-        };
+        reading_choice.is_ok = true;
+        reading_choice.as.value.is_some = true;
+        reading_choice.as.value.value = reading_choice_2.value.as.value;
     } else if (reading_choice_2.is_some && !reading_choice_2.value.is_ok) {
-        reading_choice = (result_option_i16_transposed_broken_t){
-            .is_ok = false,
-            .error = reading_choice_2.value.error
-        };
+        reading_choice.is_ok = false;
+        reading_choice.as.error = reading_choice_2.value.as.error;
     } else {
-        reading_choice = (result_option_i16_transposed_broken_t){
-            .is_ok = true,
-            .value = {.is_some = false}
-        };
+        reading_choice.is_ok = true;
+        reading_choice.as.value = (option_i16_t){.is_some = false};
     }
     if (!reading_choice.is_ok) {
-        *result = (result_option_i16_transposed_broken_t){
-            .is_ok = false,
-            .error = reading_choice.error
-        };
+        result->is_ok = false;
+        result->as.error = reading_choice.as.error;
         return;
     }
-    const option_i16_t reading_2 = reading_choice.value;
+    const option_i16_t reading_2 = reading_choice.as.value;
+    option_i16_t result_choice;
     if (reading_2.is_some && reading_2.value > 10) {
-        result->value.is_some = true;
-        result->value.value = reading_2.value;
+        result_choice.is_some = true;
+        result_choice.value = reading_2.value;
     } else {
-        result->value = (option_i16_t){.is_some = false};
+        result_choice = (option_i16_t){.is_some = false};
     }
     result->is_ok = true;
-    result->error = (transposed_broken_t){.tag = BROKEN_TAG_ABOVE};
+    result->as.value = result_choice;
 }
 
 void transposed_some(const result_option_i16_transposed_broken_t *reading,
     option_result_i16_transposed_broken_t *BESSEMER_RESTRICT result)
 {
-    if (reading->is_ok && reading->value.is_some) {
+    if (reading->is_ok && reading->as.value.is_some) {
         result->is_some = true;
-        result->value = (result_i16_transposed_broken_t){
-            .is_ok = true,
-            .value = reading->value.value
-        };
-    } else if (reading->is_ok && !reading->value.is_some) {
+        result->value.is_ok = true;
+        result->value.as.value = reading->as.value.value;
+    } else if (reading->is_ok && !reading->as.value.is_some) {
         *result = (option_result_i16_transposed_broken_t){.is_some = false};
     } else {
         result->is_some = true;
-        result->value = (result_i16_transposed_broken_t){.is_ok = false, .error = reading->error};
+        result->value.is_ok = false;
+        result->value.as.error = reading->as.error;
     }
 }
 
@@ -123,10 +114,13 @@ typedef struct {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    int16_t value;
-    /** Reason why there is no value. */
-    transposed_broken_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        int16_t value;
+        /** Reason why there is no value. */
+        transposed_broken_t error;
+    } as;
 } result_i16_transposed_broken_t;
 
 /** `Option<Result<i16, Broken>>`: a value, or none. */
@@ -141,8 +135,11 @@ typedef struct {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    option_i16_t value;
-    /** Reason why there is no value. */
-    transposed_broken_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        option_i16_t value;
+        /** Reason why there is no value. */
+        transposed_broken_t error;
+    } as;
 } result_option_i16_transposed_broken_t;

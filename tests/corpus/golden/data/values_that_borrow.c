@@ -179,10 +179,9 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
             *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
-        result_choice = (result_values_that_borrow_packet_u8_t){
-            .is_ok = true,
-            .value = {.tag = VALUES_THAT_BORROW_PACKET_TAG_SET, .as.set = option.value}
-        };
+        result_choice.is_ok = true;
+        result_choice.as.value.tag = VALUES_THAT_BORROW_PACKET_TAG_SET;
+        result_choice.as.value.as.set = option.value;
         break;
     }
     case 2U: {
@@ -216,18 +215,16 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
             *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
-        result_choice = (result_values_that_borrow_packet_u8_t){
-            .is_ok = true,
-            .value = {
-                .tag = VALUES_THAT_BORROW_PACKET_TAG_LOAD,
-                .as.load = {.address = address, .bytes = reader_option.value}
-            }
-        };
+        result_choice.is_ok = true;
+        result_choice.as.value.tag = VALUES_THAT_BORROW_PACKET_TAG_LOAD;
+        result_choice.as.value.as.load.address = address;
+        result_choice.as.value.as.load.bytes = reader_option.value;
         break;
     }
     default: {
         const uint8_t other = kind;
-        result_choice = (result_values_that_borrow_packet_u8_t){.is_ok = false, .error = other};
+        result_choice.is_ok = false;
+        result_choice.as.error = other;
         break;
     }
     }
@@ -249,25 +246,25 @@ bessemer_status_t values_that_borrow_outcome(const uint8_t packet[8],
         *result = 1U;
         return BESSEMER_STATUS_OK;
     } else if (!option.value.is_ok) {
-        *result = 1000U + (uint32_t)option.value.error;
+        *result = 1000U + (uint32_t)option.value.as.error;
         return BESSEMER_STATUS_OK;
-    } else if (option.value.value.tag == VALUES_THAT_BORROW_PACKET_TAG_SET) {
-        *result = 2000U + (uint32_t)option.value.value.as.set;
+    } else if (option.value.as.value.tag == VALUES_THAT_BORROW_PACKET_TAG_SET) {
+        *result = 2000U + (uint32_t)option.value.as.value.as.set;
         return BESSEMER_STATUS_OK;
     } else {
-        uint32_t sum = (uint32_t)option.value.value.as.load.address;
-        for (uint64_t i = UINT64_C(0); i < option.value.value.as.load.bytes.length; i++) {
+        uint32_t sum = (uint32_t)option.value.as.value.as.load.address;
+        for (uint64_t i = UINT64_C(0); i < option.value.as.value.as.load.bytes.length; i++) {
             if ((uint32_t)i > 0xFFFFFFFEU) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            if (option.value.value.as.load.bytes.from > UINT64_MAX - i) {
+            if (option.value.as.value.as.load.bytes.from > UINT64_MAX - i) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            if (option.value.value.as.load.bytes.from + i >= UINT64_C(8)) {
+            if (option.value.as.value.as.load.bytes.from + i >= UINT64_C(8)) {
                 return BESSEMER_STATUS_INDEX;
             }
             const uint32_t sum_product = ((uint32_t)i + 1U)
-                * (uint32_t)packet[option.value.value.as.load.bytes.from + i];
+                * (uint32_t)packet[option.value.as.value.as.load.bytes.from + i];
             if ((int64_t)sum + (int64_t)sum_product > (int64_t)UINT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
@@ -292,29 +289,29 @@ bessemer_status_t values_that_borrow_outcome_behind(const uint8_t packets[12], u
     }
     if (option.is_some) {
         if (option.value.is_ok) {
-            if (option.value.value.tag == VALUES_THAT_BORROW_PACKET_TAG_LOAD) {
-                if (option.value.value.as.load.bytes.from > UINT64_MAX - from) {
+            if (option.value.as.value.tag == VALUES_THAT_BORROW_PACKET_TAG_LOAD) {
+                if (option.value.as.value.as.load.bytes.from > UINT64_MAX - from) {
                     return BESSEMER_STATUS_OVERFLOW;
                 }
-                option.value.value.as.load.bytes.from += from;
+                option.value.as.value.as.load.bytes.from += from;
             }
         }
     }
     if (option.is_some && (option.value.is_ok
-            && option.value.value.tag == VALUES_THAT_BORROW_PACKET_TAG_LOAD)) {
-        if (option.value.value.as.load.bytes.length > UINT64_C(0)) {
-            if (option.value.value.as.load.bytes.from >= UINT64_C(12)) {
+            && option.value.as.value.tag == VALUES_THAT_BORROW_PACKET_TAG_LOAD)) {
+        if (option.value.as.value.as.load.bytes.length > UINT64_C(0)) {
+            if (option.value.as.value.as.load.bytes.from >= UINT64_C(12)) {
                 return BESSEMER_STATUS_INDEX;
             }
-            *result = (uint32_t)packets[option.value.value.as.load.bytes.from];
+            *result = (uint32_t)packets[option.value.as.value.as.load.bytes.from];
             return BESSEMER_STATUS_OK;
         } else {
             *result = 7U;
             return BESSEMER_STATUS_OK;
         }
     } else if (option.is_some && (option.value.is_ok
-            && option.value.value.tag == VALUES_THAT_BORROW_PACKET_TAG_SET)) {
-        *result = (uint32_t)option.value.value.as.set;
+            && option.value.as.value.tag == VALUES_THAT_BORROW_PACKET_TAG_SET)) {
+        *result = (uint32_t)option.value.as.value.as.set;
         return BESSEMER_STATUS_OK;
     } else {
         *result = 0U;
@@ -593,10 +590,13 @@ typedef struct {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    values_that_borrow_packet_t value;
-    /** Reason why there is no value. */
-    uint8_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        values_that_borrow_packet_t value;
+        /** Reason why there is no value. */
+        uint8_t error;
+    } as;
 } result_values_that_borrow_packet_u8_t;
 
 /** `Option<Result<Packet, u8>>`: a value, or none. */

@@ -51,7 +51,7 @@ bessemer_status_t inner_functions_extra(uint8_t message, option_u8_t *result)
     option_usize_t result_choice = {.is_some = false};
     if (outcome.is_ok) {
         result_choice.is_some = true;
-        result_choice.value = outcome.value;
+        result_choice.value = outcome.as.value;
     }
     if (result_choice.is_some) {
         if (result_choice.value >= UINT64_C(5)) {
@@ -86,7 +86,8 @@ static void inner_functions_binary_search_by_key_in_extra(const pair_u8_u8_t val
         const pair_u8_u8_t value = values[middle];
         const uint8_t found = value.first;
         if (found == wanted) {
-            *result = (result_usize_usize_t){.is_ok = true, .value = middle};
+            result->is_ok = true;
+            result->as.value = middle;
             return;
         }
         if (found < wanted) {
@@ -96,7 +97,8 @@ static void inner_functions_binary_search_by_key_in_extra(const pair_u8_u8_t val
             left /= UINT64_C(2);
         }
     }
-    *result = (result_usize_usize_t){.is_ok = false, .error = from};
+    result->is_ok = false;
+    result->as.error = from;
 }
 
 /* mixing.c */

@@ -15,12 +15,14 @@ static void own_names_bank_get_mut(own_names_bank_t *BESSEMER_RESTRICT self, uin
     result_u8_own_names_missing_t *BESSEMER_RESTRICT result)
 {
     if (index >= 4U) {
-        *result = (result_u8_own_names_missing_t){.is_ok = false, .error = {.index = index}};
+        result->is_ok = false;
+        result->as.error.index = index;
         return;
     }
     const uint32_t cell = (uint32_t)index;
     self->cells[cell] = (uint8_t)((uint32_t)self->cells[cell] + 1U);
-    *result = (result_u8_own_names_missing_t){.is_ok = true, .value = self->cells[cell]};
+    result->is_ok = true;
+    result->as.value = self->cells[cell];
 }
 
 static void own_names_bank_first_mut(const own_names_bank_t *self,
@@ -63,10 +65,11 @@ void own_names_use_all(own_names_bank_t *BESSEMER_RESTRICT bank, uint8_t index,
     result_u8_own_names_missing_t cell_outcome;
     own_names_bank_get_mut(bank, index, &cell_outcome);
     if (!cell_outcome.is_ok) {
-        *result = (result_u8_own_names_missing_t){.is_ok = false, .error = cell_outcome.error};
+        result->is_ok = false;
+        result->as.error = cell_outcome.as.error;
         return;
     }
-    const uint8_t cell = cell_outcome.value;
+    const uint8_t cell = cell_outcome.as.value;
     const own_names_bank_t other = *bank;
     const uint8_t sum_swap = own_names_bank_swap(bank, 3U);
     uint8_t sum = (uint8_t)((uint32_t)cell + (uint32_t)sum_swap
@@ -74,7 +77,8 @@ void own_names_use_all(own_names_bank_t *BESSEMER_RESTRICT bank, uint8_t index,
     if (own_names_bank_total_cmp(bank, &other)) {
         sum = (uint8_t)((uint32_t)sum + (uint32_t)own_names_bank_chunks(bank, 5U));
     }
-    *result = (result_u8_own_names_missing_t){.is_ok = true, .value = sum};
+    result->is_ok = true;
+    result->as.value = sum;
 }
 
 void own_names_much(const own_names_bank_t *bank, option_u8_t *BESSEMER_RESTRICT result)
@@ -148,8 +152,11 @@ typedef struct {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    uint8_t value;
-    /** Reason why there is no value. */
-    own_names_missing_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        uint8_t value;
+        /** Reason why there is no value. */
+        own_names_missing_t error;
+    } as;
 } result_u8_own_names_missing_t;

@@ -77,28 +77,20 @@ void own_operators_phase_try_from_u8(uint8_t letter, result_own_operators_phase_
 {
     switch (letter) {
     case 65U:
-        *result = (result_own_operators_phase_unknown_t){
-            .is_ok = true,
-            .value = OWN_OPERATORS_PHASE_A
-        };
+        result->is_ok = true;
+        result->as.value = OWN_OPERATORS_PHASE_A;
         break;
     case 66U:
-        *result = (result_own_operators_phase_unknown_t){
-            .is_ok = true,
-            .value = OWN_OPERATORS_PHASE_B
-        };
+        result->is_ok = true;
+        result->as.value = OWN_OPERATORS_PHASE_B;
         break;
     case 67U:
-        *result = (result_own_operators_phase_unknown_t){
-            .is_ok = true,
-            .value = OWN_OPERATORS_PHASE_C
-        };
+        result->is_ok = true;
+        result->as.value = OWN_OPERATORS_PHASE_C;
         break;
     default:
-        *result = (result_own_operators_phase_unknown_t){
-            .is_ok = false,
-            .error = {.value = letter}
-        };
+        result->is_ok = false;
+        result->as.error.value = letter;
         break;
     }
 }
@@ -150,14 +142,13 @@ void own_operators_phase_of(uint8_t letter, result_own_operators_phase_unknown_t
     result_own_operators_phase_unknown_t phase_outcome;
     own_operators_phase_try_from_u8(letter, &phase_outcome);
     if (!phase_outcome.is_ok) {
-        *result = (result_own_operators_phase_unknown_t){
-            .is_ok = false,
-            .error = phase_outcome.error
-        };
+        result->is_ok = false;
+        result->as.error = phase_outcome.as.error;
         return;
     }
-    const own_operators_phase_t phase = phase_outcome.value;
-    *result = (result_own_operators_phase_unknown_t){.is_ok = true, .value = phase};
+    const own_operators_phase_t phase = phase_outcome.as.value;
+    result->is_ok = true;
+    result->as.value = phase;
 }
 
 double own_operators_widened(int32_t x, uint8_t y)
@@ -196,8 +187,11 @@ typedef enum {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    own_operators_phase_t value;
-    /** Reason why there is no value. */
-    unknown_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        own_operators_phase_t value;
+        /** Reason why there is no value. */
+        unknown_t error;
+    } as;
 } result_own_operators_phase_unknown_t;

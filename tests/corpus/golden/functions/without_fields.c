@@ -59,20 +59,17 @@ void without_fields_limited(double torque, result_f64_without_fields_trouble_t *
     result_f64_without_fields_saturated_t torque_outcome;
     without_fields_commanded(torque, &torque_outcome);
     if (!torque_outcome.is_ok) {
-        *result = (result_f64_without_fields_trouble_t){
-            .is_ok = false,
-            .error = without_fields_trouble_from_saturated()
-        };
+        result->is_ok = false;
+        result->as.error = without_fields_trouble_from_saturated();
         return;
     }
     const double torque_2 = torque_outcome.value;
     if (torque_2 < -2.0) {
-        *result = (result_f64_without_fields_trouble_t){
-            .is_ok = false,
-            .error = WITHOUT_FIELDS_TROUBLE_LOW
-        };
+        result->is_ok = false;
+        result->as.error = WITHOUT_FIELDS_TROUBLE_LOW;
     } else {
-        *result = (result_f64_without_fields_trouble_t){.is_ok = true, .value = torque_2};
+        result->is_ok = true;
+        result->as.value = torque_2;
     }
 }
 
@@ -114,8 +111,11 @@ typedef enum {
 typedef struct {
     /** True if there is a value. */
     bool is_ok;
-    /** The value, if there is one. */
-    double value;
-    /** Reason why there is no value. */
-    without_fields_trouble_t error;
+    /** What it holds. */
+    union {
+        /** The value, if there is one. */
+        double value;
+        /** Reason why there is no value. */
+        without_fields_trouble_t error;
+    } as;
 } result_f64_without_fields_trouble_t;

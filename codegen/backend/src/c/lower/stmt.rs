@@ -191,6 +191,11 @@ impl Lower<'_> {
                 let name = self.bind(local);
                 self.declare_table(&ty, &name, value);
             }
+            Some(value) if self.is_read_by_its_tag(local, value) => {
+                let name = self.bind(local);
+                self.declare(&ty, &name, None, false);
+                self.store(Expr::name(name), None, value);
+            }
             Some(value) => {
                 let name = self.bind(local);
                 self.define_sized(&ty, &name, &sizes, value, constant);
@@ -271,6 +276,16 @@ impl Lower<'_> {
             }
             self.store(Expr::name(name), None, value);
         }
+    }
+
+    /// Returns true for the result of a call with a union, which is read part by part: nothing copies the bytes that the
+    /// callee does not write.
+    fn is_read_by_its_tag(&self, local: LocalId, value: &Ir) -> bool {
+        let Type::Struct(id) = &value.ty else { return false };
+        let item = &self.context.module.structs[id.index()];
+        let is_flat = || !item.fields.iter().any(|field| self.has_union(&field.ty));
+        let called = matches!(value.kind, ExprKind::Call(..));
+        called && item.overlaid() && !self.usage.whole[local.index()] && is_flat()
     }
 
     fn is_status_call(&self, value: &Ir) -> bool {
