@@ -393,7 +393,9 @@ impl Toolchain {
     /// # Errors
     /// What linker or system said.
     pub fn brought(&self, objects: &[PathBuf], symbol: &str, kept: &Path) -> Result<Sizes, String> {
-        let mut command = self.command();
+        // Flags for whole programs name linker scripts, which need what is absent here.
+        let mut command = Command::new(self.compiler);
+        command.args(self.machine.iter().filter(|flag| flag.starts_with("-m"))).args(self.more);
         command.args(["-r", "-nostdlib", "-Wl,--gc-sections"]).arg(format!("-Wl,-e,{symbol}"));
         run(command.args(objects).arg("-o").arg(kept))?;
         self.sizes(&[kept.to_owned()])
