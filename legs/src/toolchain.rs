@@ -393,7 +393,7 @@ impl Toolchain {
     /// # Errors
     /// What linker or system said.
     pub fn brought(&self, objects: &[PathBuf], symbol: &str, kept: &Path) -> Result<Sizes, String> {
-        // Flags for whole programs name linker scripts, which need what is absent here.
+        // Flags for whole programs name linker scripts, whose symbols are absent here.
         let mut command = Command::new(self.compiler);
         command.args(self.machine.iter().filter(|flag| flag.starts_with("-m"))).args(self.more);
         command.args(["-r", "-nostdlib", "-Wl,--gc-sections"]).arg(format!("-Wl,-e,{symbol}"));

@@ -90,8 +90,8 @@ pub struct Variant {
 }
 
 impl Struct {
-    /// Returns true if fields can share memory, since at most one holds a value: the payloads of an enum or a `Result`
-    /// with at least two.
+    /// Returns true if fields can share memory: two or more payloads of an enum or a `Result`. At most one of them
+    /// holds a value.
     pub fn overlaid(&self) -> bool {
         matches!(self.form, Form::Choice(_)) && self.fields.len() > 2
     }
