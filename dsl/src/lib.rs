@@ -56,17 +56,17 @@ extern crate self as bessemer;
 pub use bessemer_macros::library;
 #[doc(hidden)]
 pub use bessemer_macros::{__Configured, __removed};
-#[doc(inline)]
-pub use bessemer_macros::{State, c, entry, requirement};
 #[cfg(not(feature = "generate"))]
 #[doc(inline)]
-pub use bessemer_macros::{component, data, external, function, interface};
+pub use bessemer_macros::{State, component, data, external, function, interface};
 #[cfg(feature = "generate")]
 pub use bessemer_macros::{
-    component_in_generation as component, data_in_generation as data,
+    StateInGeneration as State, component_in_generation as component, data_in_generation as data,
     external_in_generation as external, function_in_generation as function,
     interface_in_generation as interface, library_in_generation as library,
 };
+#[doc(inline)]
+pub use bessemer_macros::{c, entry, requirement};
 pub use bounded::BoundedMatrix;
 pub use element::{Element, Number};
 pub use linear::{inverse, inverse_mut, solve, solve_into, solve_mut};

@@ -113,7 +113,8 @@ pub fn __removed(_arguments: TokenStream, _holder: TokenStream) -> TokenStream {
 /// assert_eq!(moved.difference(&Motion::default()), errors);
 /// ```
 ///
-/// In the C the methods are functions as any other, `motion_retracted(…)`.
+/// In the C the methods are functions as any other, `motion_retracted(…)`. The indices are in the header of sizes, with the module's name before
+/// them: `FLIGHT_MOTION_VELOCITY` for a module `flight`. Those of a generic state are in the sources that read them.
 #[proc_macro_derive(State)]
 pub fn state(item: TokenStream) -> TokenStream {
     deep(|| state::derived(item.into()))
@@ -492,6 +493,13 @@ fn alone(item: proc_macro2::TokenStream, reason: lower::refuse::Reason) -> Token
     refusals.add(lower::refuse::first_token(&item), reason);
     let error = refusals.into_tokens();
     quote::quote! { #error #item }.into()
+}
+
+/// `derive(State)` of a generation build.
+#[doc(hidden)]
+#[proc_macro_derive(StateInGeneration)]
+pub fn state_in_generation(item: TokenStream) -> TokenStream {
+    lower::in_generation(|| state(item))
 }
 
 /// Defines the attributes of a generation build.

@@ -9,6 +9,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote};
 
 use crate::lower::refuse::{self, Place};
+use crate::{lower, place};
 
 /// The form of a block.
 enum Form {
@@ -58,9 +59,10 @@ fn implementation(item: &syn::DeriveInput) -> syn::Result<TokenStream> {
     let constants = blocks.iter().enumerate().map(|(at, block)| {
         let constant = constant(&block.name);
         let before = sum(&blocks[..at]);
-        let doc = format!(" Index of the first error of `{}`.", block.name);
+        let doc = format!(" {}", first_error(block));
         quote! { #[doc = #doc] pub const #constant: usize = #before; }
     });
+    let announced = announced(item, &blocks);
     let retracted = blocks.iter().map(retraction);
     let differences = blocks.iter().map(difference);
     let plain = blocks.iter().all(|it| !matches!(it.form, Form::Rotation));
@@ -105,7 +107,40 @@ fn implementation(item: &syn::DeriveInput) -> syn::Result<TokenStream> {
 
             #vector
         }
+
+        #announced
     })
+}
+
+/// Returns the registration of a state's indices, which the C has for the firmware. The blocks of a generic state have other sizes in each instance, and
+/// are in the C where they are read.
+fn announced(item: &syn::DeriveInput, blocks: &[Block]) -> TokenStream {
+    if !lower::generating() || !item.generics.params.is_empty() {
+        return TokenStream::new();
+    }
+    let name = &item.ident;
+    let (place, site, named) = (place::place(), place::site(name), place::named(name));
+    let index = |constant: &syn::Ident, doc: &str| {
+        let text = lower::text(constant);
+        quote! { __cx.state_index(#named, #text, #doc, #site, #name::#constant); }
+    };
+    let of_blocks = blocks.iter().map(|block| index(&constant(&block.name), &first_error(block)));
+    let errors = index(&format_ident!("ERRORS"), "Number of errors.");
+    quote! {
+        const _: () = {
+            ::bessemer::generate::register! {
+                ::bessemer::generate::Registered::table(#place, #site, |__cx| {
+                    #(#of_blocks)*
+                    #errors
+                })
+            }
+        };
+    }
+}
+
+/// Returns the documentation of a block's index.
+fn first_error(block: &Block) -> String {
+    format!("Index of the first error of `{}`.", block.name)
 }
 
 /// Returns the named fields of a struct.

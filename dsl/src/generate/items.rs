@@ -198,7 +198,32 @@ impl Builder {
             site: Site(site.0, site.1),
             value,
             public,
+            always: false,
             given: said(given),
+        });
+    }
+
+    /// Adds the index of a block of a state, which the C has for the firmware.
+    pub fn state_index(
+        &mut self,
+        state: Named,
+        name: &str,
+        doc: &str,
+        site: (u32, u32),
+        value: usize,
+    ) {
+        let Named { module, file, name: owner } = state;
+        let value = value.evaluated(self);
+        self.package.tables.push(tree::Table {
+            module: module.to_owned(),
+            name: format!("{owner}::{name}"),
+            docs: owned(&[doc]),
+            file: file.to_owned(),
+            site: Site(site.0, site.1),
+            value,
+            public: true,
+            always: true,
+            given: said(None),
         });
     }
 

@@ -33,7 +33,7 @@ pub struct Alias {
 pub struct Table {
     /// Rust module.
     pub module: String,
-    /// Author's name.
+    /// Author's name; of an associated constant its path, such as `Motion::VELOCITY`.
     pub name: String,
     /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
@@ -45,6 +45,9 @@ pub struct Table {
     pub value: Constant,
     /// True if other modules may read it.
     pub public: bool,
+    /// True if the C has it although no function reads it, for the firmware.
+    #[serde(default, skip_serializing_if = "core::ops::Not::not")]
+    pub always: bool,
     /// Author's attributes for the C.
     pub given: Given,
 }

@@ -52,7 +52,7 @@ impl ConstNames {
             }
         }
         let everything = used.values().flatten().copied();
-        let everything = everything.chain(sizes::named(module)).chain(sizes::names(module));
+        let everything = everything.chain(sizes::all(module)).chain(sizes::names(module));
         let mut marked: BTreeSet<ConstId> =
             everything.filter(|id| module.consts[id.index()].given.public).collect();
         marked.append(&mut of_inline);

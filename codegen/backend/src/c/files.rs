@@ -84,7 +84,7 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     helpers.append(&mut uses.helpers);
     consts.append(&mut uses.consts);
     list.extend(helpers_header::header(context, options, &helpers));
-    consts.extend(sizes::named(context.module));
+    consts.extend(sizes::all(context.module));
     consts.extend(sizes::names(context.module));
     list.extend(constants::shared(context, options, &consts));
     if computes || list.iter().any(|file| file.name.ends_with(".c")) {

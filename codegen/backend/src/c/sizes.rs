@@ -1,9 +1,8 @@
-//! Named sizes: lengths that callers see, as constants of the author.
+//! Named sizes: lengths and indices that callers see, as constants of the author.
 //!
-//! Such a constant is marked, `pub`, and a `usize`. C requires a constant expression as the bound of an array, so
+//! Such a constant is marked, `pub`, and a `usize`; its derive marks the indices of a state. C requires a constant
+//! expression as the bound of an array, so
 //! each is a macro. They have a header of their own that includes nothing.
-
-use std::collections::BTreeSet;
 
 use bessemer_ir::{Const, ConstId, Given, Module, Type};
 
@@ -31,13 +30,10 @@ pub fn names(module: &Module) -> impl Iterator<Item = ConstId> {
     is_name.filter(|(_, is_name)| *is_name).map(|(index, _)| ConstId(index as u32))
 }
 
-/// Returns the constants that name lengths in the module.
-pub fn named(module: &Module) -> BTreeSet<ConstId> {
-    let fields = module.structs.iter().flat_map(|it| &it.fields).map(|field| &field.given);
-    let functions = module.functions.iter().map(|function| &function.attributes);
-    let params = functions.clone().flat_map(|it| it.parameters.iter().map(|(_, given)| given));
-    let all = fields.chain(params).chain(functions.map(|it| &it.result));
-    all.flat_map(|given| sizes(module, given)).flatten().collect()
+/// Returns the constants that are sizes, whether a function reads them or not.
+pub fn all(module: &Module) -> impl Iterator<Item = ConstId> {
+    let is_one = module.consts.iter().map(is_one).enumerate();
+    is_one.filter(|(_, is_one)| *is_one).map(|(index, _)| ConstId(index as u32))
 }
 
 /// Returns the constants that name the lengths of an item, in order.

@@ -205,6 +205,7 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::J
         (&one.file, one.line, one.column).cmp(&(&other.file, other.line, other.column))
     });
     cx.all_names();
+    cx.constants_for_firmware();
     cx.names_to_numbers();
     let typed = if errors.is_empty() { Ok((cx.module, cx.typed)) } else { Err(errors) };
     (cx.types.joined, typed)

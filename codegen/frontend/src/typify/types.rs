@@ -10,7 +10,7 @@ use bessemer_ir::{
 };
 
 use super::generic::Home;
-use super::names::{snake, split};
+use super::names::{self, snake, split};
 use super::{Context, Result, problem, refusals, refused};
 
 impl<'a> Context<'a> {
@@ -286,6 +286,17 @@ impl<'a> Context<'a> {
         ConstId(index as u32)
     }
 
+    /// Adds the constants of the package that the C has although no function reads them.
+    pub(super) fn constants_for_firmware(&mut self) {
+        let own = self.package.name.replace('-', "_");
+        for table in self.package.tables.iter().filter(|it| it.always) {
+            if table.module.split("::").next() == Some(own.as_str()) {
+                let (module, name) = names::constant(&table.module, None, &table.name);
+                self.constant(&module, &name, &Type::USIZE, &table.value.words);
+            }
+        }
+    }
+
     /// Returns the author's attributes of the constant with this name and value; one in this module has priority.
     pub(super) fn table(
         &mut self,
@@ -294,7 +305,8 @@ impl<'a> Context<'a> {
         ty: &Type,
         words: &[u64],
     ) -> Option<&'a Table> {
-        let same = |it: &&Table| it.name == name && it.value.words == words;
+        let is_named = |it: &Table| names::constant(&it.module, None, &it.name).1 == name;
+        let same = |it: &&Table| it.value.words == words && is_named(it);
         let mut tables: Vec<&'a Table> = self.package.tables.iter().filter(same).collect();
         tables.sort_by_key(|it| it.module != module);
         tables

@@ -2,14 +2,6 @@
 
 /* autopilot.c */
 
-static const uint64_t FLIGHT_ATTITUDE = UINT64_C(0);
-static const uint64_t FLIGHT_BODY_FIELD = UINT64_C(19);
-static const uint64_t FLIGHT_FIELD = UINT64_C(16);
-static const uint64_t FLIGHT_FORCE_BIAS = UINT64_C(13);
-static const uint64_t FLIGHT_GYRO_BIAS = UINT64_C(10);
-static const uint64_t FLIGHT_POSITION = UINT64_C(7);
-static const uint64_t FLIGHT_VELOCITY = UINT64_C(4);
-static const uint64_t FLIGHT_WIND = UINT64_C(22);
 static const double GATE = 1000000.0;
 static const double GRAVITY = 9.80665;
 static const uint64_t SEEN[10] = {
@@ -26,57 +18,57 @@ void flight_difference(const flight_t *self, const flight_t *from,
     double errors[BESSEMER_RESTRICT 24])
 {
     for (uint32_t n = 0U; n < 4U; n++) {
-        errors[FLIGHT_ATTITUDE + n] = self->attitude[n] - from->attitude[n];
+        errors[AUTOPILOT_FLIGHT_ATTITUDE + n] = self->attitude[n] - from->attitude[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        errors[FLIGHT_VELOCITY + n] = self->velocity[n] - from->velocity[n];
+        errors[AUTOPILOT_FLIGHT_VELOCITY + n] = self->velocity[n] - from->velocity[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        errors[FLIGHT_POSITION + n] = self->position[n] - from->position[n];
+        errors[AUTOPILOT_FLIGHT_POSITION + n] = self->position[n] - from->position[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        errors[FLIGHT_GYRO_BIAS + n] = self->gyro_bias[n] - from->gyro_bias[n];
+        errors[AUTOPILOT_FLIGHT_GYRO_BIAS + n] = self->gyro_bias[n] - from->gyro_bias[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        errors[FLIGHT_FORCE_BIAS + n] = self->force_bias[n] - from->force_bias[n];
+        errors[AUTOPILOT_FLIGHT_FORCE_BIAS + n] = self->force_bias[n] - from->force_bias[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        errors[FLIGHT_FIELD + n] = self->field[n] - from->field[n];
+        errors[AUTOPILOT_FLIGHT_FIELD + n] = self->field[n] - from->field[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        errors[FLIGHT_BODY_FIELD + n] = self->body_field[n] - from->body_field[n];
+        errors[AUTOPILOT_FLIGHT_BODY_FIELD + n] = self->body_field[n] - from->body_field[n];
     }
     for (uint32_t n = 0U; n < 2U; n++) {
-        errors[FLIGHT_WIND + n] = self->wind[n] - from->wind[n];
+        errors[AUTOPILOT_FLIGHT_WIND + n] = self->wind[n] - from->wind[n];
     }
 }
 
 void flight_of_vector(const double vector[24], flight_t *BESSEMER_RESTRICT flight)
 {
-    flight->attitude[0] = vector[FLIGHT_ATTITUDE];
-    flight->attitude[1] = vector[FLIGHT_ATTITUDE + 1U];
-    flight->attitude[2] = vector[FLIGHT_ATTITUDE + 2U];
-    flight->attitude[3] = vector[FLIGHT_ATTITUDE + 3U];
-    flight->velocity[0] = vector[FLIGHT_VELOCITY];
-    flight->velocity[1] = vector[FLIGHT_VELOCITY + 1U];
-    flight->velocity[2] = vector[FLIGHT_VELOCITY + 2U];
-    flight->position[0] = vector[FLIGHT_POSITION];
-    flight->position[1] = vector[FLIGHT_POSITION + 1U];
-    flight->position[2] = vector[FLIGHT_POSITION + 2U];
-    flight->gyro_bias[0] = vector[FLIGHT_GYRO_BIAS];
-    flight->gyro_bias[1] = vector[FLIGHT_GYRO_BIAS + 1U];
-    flight->gyro_bias[2] = vector[FLIGHT_GYRO_BIAS + 2U];
-    flight->force_bias[0] = vector[FLIGHT_FORCE_BIAS];
-    flight->force_bias[1] = vector[FLIGHT_FORCE_BIAS + 1U];
-    flight->force_bias[2] = vector[FLIGHT_FORCE_BIAS + 2U];
-    flight->field[0] = vector[FLIGHT_FIELD];
-    flight->field[1] = vector[FLIGHT_FIELD + 1U];
-    flight->field[2] = vector[FLIGHT_FIELD + 2U];
-    flight->body_field[0] = vector[FLIGHT_BODY_FIELD];
-    flight->body_field[1] = vector[FLIGHT_BODY_FIELD + 1U];
-    flight->body_field[2] = vector[FLIGHT_BODY_FIELD + 2U];
-    flight->wind[0] = vector[FLIGHT_WIND];
-    flight->wind[1] = vector[FLIGHT_WIND + 1U];
+    flight->attitude[0] = vector[AUTOPILOT_FLIGHT_ATTITUDE];
+    flight->attitude[1] = vector[AUTOPILOT_FLIGHT_ATTITUDE + 1U];
+    flight->attitude[2] = vector[AUTOPILOT_FLIGHT_ATTITUDE + 2U];
+    flight->attitude[3] = vector[AUTOPILOT_FLIGHT_ATTITUDE + 3U];
+    flight->velocity[0] = vector[AUTOPILOT_FLIGHT_VELOCITY];
+    flight->velocity[1] = vector[AUTOPILOT_FLIGHT_VELOCITY + 1U];
+    flight->velocity[2] = vector[AUTOPILOT_FLIGHT_VELOCITY + 2U];
+    flight->position[0] = vector[AUTOPILOT_FLIGHT_POSITION];
+    flight->position[1] = vector[AUTOPILOT_FLIGHT_POSITION + 1U];
+    flight->position[2] = vector[AUTOPILOT_FLIGHT_POSITION + 2U];
+    flight->gyro_bias[0] = vector[AUTOPILOT_FLIGHT_GYRO_BIAS];
+    flight->gyro_bias[1] = vector[AUTOPILOT_FLIGHT_GYRO_BIAS + 1U];
+    flight->gyro_bias[2] = vector[AUTOPILOT_FLIGHT_GYRO_BIAS + 2U];
+    flight->force_bias[0] = vector[AUTOPILOT_FLIGHT_FORCE_BIAS];
+    flight->force_bias[1] = vector[AUTOPILOT_FLIGHT_FORCE_BIAS + 1U];
+    flight->force_bias[2] = vector[AUTOPILOT_FLIGHT_FORCE_BIAS + 2U];
+    flight->field[0] = vector[AUTOPILOT_FLIGHT_FIELD];
+    flight->field[1] = vector[AUTOPILOT_FLIGHT_FIELD + 1U];
+    flight->field[2] = vector[AUTOPILOT_FLIGHT_FIELD + 2U];
+    flight->body_field[0] = vector[AUTOPILOT_FLIGHT_BODY_FIELD];
+    flight->body_field[1] = vector[AUTOPILOT_FLIGHT_BODY_FIELD + 1U];
+    flight->body_field[2] = vector[AUTOPILOT_FLIGHT_BODY_FIELD + 2U];
+    flight->wind[0] = vector[AUTOPILOT_FLIGHT_WIND];
+    flight->wind[1] = vector[AUTOPILOT_FLIGHT_WIND + 1U];
 }
 
 void flight_retracted(const flight_t *self, const double errors[24],
@@ -84,56 +76,56 @@ void flight_retracted(const flight_t *self, const double errors[24],
 {
     *moved = *self;
     for (uint32_t n = 0U; n < 4U; n++) {
-        moved->attitude[n] += errors[FLIGHT_ATTITUDE + n];
+        moved->attitude[n] += errors[AUTOPILOT_FLIGHT_ATTITUDE + n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        moved->velocity[n] += errors[FLIGHT_VELOCITY + n];
+        moved->velocity[n] += errors[AUTOPILOT_FLIGHT_VELOCITY + n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        moved->position[n] += errors[FLIGHT_POSITION + n];
+        moved->position[n] += errors[AUTOPILOT_FLIGHT_POSITION + n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        moved->gyro_bias[n] += errors[FLIGHT_GYRO_BIAS + n];
+        moved->gyro_bias[n] += errors[AUTOPILOT_FLIGHT_GYRO_BIAS + n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        moved->force_bias[n] += errors[FLIGHT_FORCE_BIAS + n];
+        moved->force_bias[n] += errors[AUTOPILOT_FLIGHT_FORCE_BIAS + n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        moved->field[n] += errors[FLIGHT_FIELD + n];
+        moved->field[n] += errors[AUTOPILOT_FLIGHT_FIELD + n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        moved->body_field[n] += errors[FLIGHT_BODY_FIELD + n];
+        moved->body_field[n] += errors[AUTOPILOT_FLIGHT_BODY_FIELD + n];
     }
     for (uint32_t n = 0U; n < 2U; n++) {
-        moved->wind[n] += errors[FLIGHT_WIND + n];
+        moved->wind[n] += errors[AUTOPILOT_FLIGHT_WIND + n];
     }
 }
 
 void flight_vector(const flight_t *self, double vector[BESSEMER_RESTRICT 24])
 {
     for (uint32_t n = 0U; n < 4U; n++) {
-        vector[FLIGHT_ATTITUDE + n] = self->attitude[n];
+        vector[AUTOPILOT_FLIGHT_ATTITUDE + n] = self->attitude[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        vector[FLIGHT_VELOCITY + n] = self->velocity[n];
+        vector[AUTOPILOT_FLIGHT_VELOCITY + n] = self->velocity[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        vector[FLIGHT_POSITION + n] = self->position[n];
+        vector[AUTOPILOT_FLIGHT_POSITION + n] = self->position[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        vector[FLIGHT_GYRO_BIAS + n] = self->gyro_bias[n];
+        vector[AUTOPILOT_FLIGHT_GYRO_BIAS + n] = self->gyro_bias[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        vector[FLIGHT_FORCE_BIAS + n] = self->force_bias[n];
+        vector[AUTOPILOT_FLIGHT_FORCE_BIAS + n] = self->force_bias[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        vector[FLIGHT_FIELD + n] = self->field[n];
+        vector[AUTOPILOT_FLIGHT_FIELD + n] = self->field[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        vector[FLIGHT_BODY_FIELD + n] = self->body_field[n];
+        vector[AUTOPILOT_FLIGHT_BODY_FIELD + n] = self->body_field[n];
     }
     for (uint32_t n = 0U; n < 2U; n++) {
-        vector[FLIGHT_WIND + n] = self->wind[n];
+        vector[AUTOPILOT_FLIGHT_WIND + n] = self->wind[n];
     }
 }
 
@@ -147,8 +139,8 @@ void autopilot_advanced(const double state[24], const imu_t *imu, double period,
     double half[3];
     double force[3];
     for (uint32_t axis = 0U; axis < 3U; axis++) {
-        half[axis] = 0.5 * period * (imu->rate[axis] - state[FLIGHT_GYRO_BIAS + axis]);
-        force[axis] = period * (imu->force[axis] - state[FLIGHT_FORCE_BIAS + axis]);
+        half[axis] = 0.5 * period * (imu->rate[axis] - state[AUTOPILOT_FLIGHT_GYRO_BIAS + axis]);
+        force[axis] = period * (imu->force[axis] - state[AUTOPILOT_FLIGHT_FORCE_BIAS + axis]);
     }
     (void)memcpy(next, state, sizeof(double[24]));
     next[0] = w - x * half[0] - y * half[1] - z * half[2];
@@ -161,12 +153,12 @@ void autopilot_advanced(const double state[24], const imu_t *imu, double period,
         + 2.0 * (y * z - w * x) * force[2];
     const double down = 2.0 * (x * z - w * y) * force[0] + 2.0 * (y * z + w * x) * force[1]
         + (1.0 - 2.0 * (x * x + y * y)) * force[2];
-    next[FLIGHT_VELOCITY] += north;
-    next[FLIGHT_VELOCITY + 1U] += east;
-    next[FLIGHT_VELOCITY + 2U] += down + GRAVITY * period;
+    next[AUTOPILOT_FLIGHT_VELOCITY] += north;
+    next[AUTOPILOT_FLIGHT_VELOCITY + 1U] += east;
+    next[AUTOPILOT_FLIGHT_VELOCITY + 2U] += down + GRAVITY * period;
     for (uint32_t axis = 0U; axis < 3U; axis++) {
-        const uint32_t next_index = (uint32_t)(FLIGHT_VELOCITY + axis);
-        next[FLIGHT_POSITION + axis] += period * state[next_index];
+        const uint32_t next_index = (uint32_t)(AUTOPILOT_FLIGHT_VELOCITY + axis);
+        next[AUTOPILOT_FLIGHT_POSITION + axis] += period * state[next_index];
     }
 }
 
@@ -783,8 +775,8 @@ void autopilot_predict(autopilot_t *BESSEMER_RESTRICT self, const imu_t *imu, do
     autopilot_predicted(self->state, imu, period, &self->covariance, state_next);
     (void)memcpy(self->state, state_next, sizeof(double[24]));
     const double attitude[4] = {
-        self->state[FLIGHT_ATTITUDE], self->state[FLIGHT_ATTITUDE + 1U],
-        self->state[FLIGHT_ATTITUDE + 2U], self->state[FLIGHT_ATTITUDE + 3U]
+        self->state[AUTOPILOT_FLIGHT_ATTITUDE], self->state[AUTOPILOT_FLIGHT_ATTITUDE + 1U],
+        self->state[AUTOPILOT_FLIGHT_ATTITUDE + 2U], self->state[AUTOPILOT_FLIGHT_ATTITUDE + 3U]
     };
     const double length = sqrt(attitude[0] * attitude[0] + attitude[2] * attitude[2]
         + (attitude[1] * attitude[1] + attitude[3] * attitude[3]));
@@ -795,19 +787,19 @@ void autopilot_predict(autopilot_t *BESSEMER_RESTRICT self, const imu_t *imu, do
         self->covariance.elements[n + 24U * n] += 1e-6 * period;
     }
     for (uint32_t axis = 0U; axis < 3U; axis++) {
-        const uint32_t velocity = (uint32_t)(FLIGHT_VELOCITY + axis);
+        const uint32_t velocity = (uint32_t)(AUTOPILOT_FLIGHT_VELOCITY + axis);
         self->covariance.elements[velocity + 24U * velocity] += 0.01 * period;
-        const uint32_t gyro = (uint32_t)(FLIGHT_GYRO_BIAS + axis);
+        const uint32_t gyro = (uint32_t)(AUTOPILOT_FLIGHT_GYRO_BIAS + axis);
         self->covariance.elements[gyro + 24U * gyro] += 1e-8 * period;
-        const uint32_t force = (uint32_t)(FLIGHT_FORCE_BIAS + axis);
+        const uint32_t force = (uint32_t)(AUTOPILOT_FLIGHT_FORCE_BIAS + axis);
         self->covariance.elements[force + 24U * force] += 1e-6 * period;
-        const uint32_t field = (uint32_t)(FLIGHT_FIELD + axis);
+        const uint32_t field = (uint32_t)(AUTOPILOT_FLIGHT_FIELD + axis);
         self->covariance.elements[field + 24U * field] += 1e-6 * period;
-        const uint32_t body = (uint32_t)(FLIGHT_BODY_FIELD + axis);
+        const uint32_t body = (uint32_t)(AUTOPILOT_FLIGHT_BODY_FIELD + axis);
         self->covariance.elements[body + 24U * body] += 1e-6 * period;
     }
     for (uint32_t axis = 0U; axis < 2U; axis++) {
-        const uint32_t wind = (uint32_t)(FLIGHT_WIND + axis);
+        const uint32_t wind = (uint32_t)(AUTOPILOT_FLIGHT_WIND + axis);
         self->covariance.elements[wind + 24U * wind] += 0.01 * period;
     }
 }
@@ -816,9 +808,9 @@ bool autopilot_place(autopilot_t *BESSEMER_RESTRICT self, const double measured[
     autopilot_place_work_t *BESSEMER_RESTRICT work)
 {
     const double innovation_vector[6] = {
-        self->state[FLIGHT_VELOCITY], self->state[FLIGHT_VELOCITY + 1U],
-        self->state[FLIGHT_VELOCITY + 2U], self->state[FLIGHT_VELOCITY + 3U],
-        self->state[FLIGHT_VELOCITY + 4U], self->state[FLIGHT_VELOCITY + 5U]
+        self->state[AUTOPILOT_FLIGHT_VELOCITY], self->state[AUTOPILOT_FLIGHT_VELOCITY + 1U],
+        self->state[AUTOPILOT_FLIGHT_VELOCITY + 2U], self->state[AUTOPILOT_FLIGHT_VELOCITY + 3U],
+        self->state[AUTOPILOT_FLIGHT_VELOCITY + 4U], self->state[AUTOPILOT_FLIGHT_VELOCITY + 5U]
     };
     double innovation[6];
     BESSEMER_FEW_PASSES

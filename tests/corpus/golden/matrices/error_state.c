@@ -2,9 +2,6 @@
 
 /* error_state.c */
 
-static const uint64_t POINTING_ATTITUDE = UINT64_C(0);
-static const uint64_t POINTING_BIAS = UINT64_C(3);
-
 void pointing_difference(const pointing_t *self, const pointing_t *from,
     double errors[BESSEMER_RESTRICT 6])
 {
@@ -15,10 +12,10 @@ void pointing_difference(const pointing_t *self, const pointing_t *from,
     double attitude_turn[3];
     rotation_scaled_axis_f64(&attitude_change, attitude_turn);
     for (uint32_t n = 0U; n < 3U; n++) {
-        errors[POINTING_ATTITUDE + n] = attitude_turn[n];
+        errors[ERROR_STATE_POINTING_ATTITUDE + n] = attitude_turn[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        errors[POINTING_BIAS + n] = self->bias[n] - from->bias[n];
+        errors[ERROR_STATE_POINTING_BIAS + n] = self->bias[n] - from->bias[n];
     }
 }
 
@@ -27,13 +24,14 @@ void pointing_retracted(const pointing_t *self, const double errors[6],
 {
     *moved = *self;
     const double attitude_turn[3] = {
-        errors[POINTING_ATTITUDE], errors[POINTING_ATTITUDE + 1U], errors[POINTING_ATTITUDE + 2U]
+        errors[ERROR_STATE_POINTING_ATTITUDE], errors[ERROR_STATE_POINTING_ATTITUDE + 1U],
+        errors[ERROR_STATE_POINTING_ATTITUDE + 2U]
     };
     unit_quaternion_f64_t attitude_second;
     rotation_from_scaled_axis_f64(attitude_turn, &attitude_second);
     unit_quaternion_product_f64(&self->attitude, &attitude_second, &moved->attitude);
     for (uint32_t n = 0U; n < 3U; n++) {
-        moved->bias[n] += errors[POINTING_BIAS + n];
+        moved->bias[n] += errors[ERROR_STATE_POINTING_BIAS + n];
     }
 }
 
@@ -53,9 +51,6 @@ typedef struct {
 } pointing_filter_predict_work_t;
 
 /* pointing_filter.c */
-
-static const uint64_t POINTING_ATTITUDE = UINT64_C(0);
-static const uint64_t POINTING_BIAS = UINT64_C(3);
 
 void pointing_filter_init(pointing_filter_t *self)
 {
@@ -100,9 +95,9 @@ void pointing_filter_predict(pointing_filter_t *BESSEMER_RESTRICT self, const do
     (void)memcpy(jacobian, BESSEMER_IDENTITY_6, sizeof(double[36]));
     for (uint32_t row = 0U; row < 3U; row++) {
         for (uint32_t col = 0U; col < 3U; col++) {
-            jacobian[POINTING_ATTITUDE + row + 6U * (POINTING_ATTITUDE + col)] = back[row + 3U * col];
+            jacobian[ERROR_STATE_POINTING_ATTITUDE + row + 6U * (ERROR_STATE_POINTING_ATTITUDE + col)] = back[row + 3U * col];
         }
-        jacobian[POINTING_ATTITUDE + row + 6U * (POINTING_BIAS + row)] = -period;
+        jacobian[ERROR_STATE_POINTING_ATTITUDE + row + 6U * (ERROR_STATE_POINTING_BIAS + row)] = -period;
     }
     symmetric_f64_6_congruence(&self->covariance, jacobian, &work->numbers[36]);
     const double wander = 1e-6 * period;
@@ -125,7 +120,7 @@ void pointing_filter_measure(pointing_filter_t *BESSEMER_RESTRICT self, const do
     double jacobian[18] = {0};
     for (uint32_t row = 0U; row < 3U; row++) {
         for (uint32_t col = 0U; col < 3U; col++) {
-            jacobian[row + 3U * (POINTING_ATTITUDE + col)] = cross[row + 3U * col];
+            jacobian[row + 3U * (ERROR_STATE_POINTING_ATTITUDE + col)] = cross[row + 3U * col];
         }
     }
     const double noise_values[3] = {0.0001, 0.0001, 0.0001};

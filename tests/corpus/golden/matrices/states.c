@@ -2,8 +2,6 @@
 
 /* estimate.c */
 
-static const uint64_t MOTION_VELOCITY = UINT64_C(3);
-
 void estimate_init(estimate_t *self)
 {
     self->motion.attitude.i = 0.0;
@@ -21,7 +19,7 @@ double estimate_correct(estimate_t *BESSEMER_RESTRICT self, const double errors[
     states_motion_t motion_next;
     states_motion_retracted(&self->motion, errors, &motion_next);
     self->motion = motion_next;
-    return errors[MOTION_VELOCITY + 2U];
+    return errors[STATES_MOTION_VELOCITY + 2U];
 }
 
 void estimate_errors(const estimate_t *self, const states_motion_t *truth,
@@ -39,11 +37,6 @@ typedef struct {
 
 /* states.c */
 
-static const uint64_t BEAM_HEATER = UINT64_C(3);
-static const uint64_t BEAM_SEGMENTS = UINT64_C(0);
-static const uint64_t MOTION_ATTITUDE = UINT64_C(0);
-static const uint64_t MOTION_BIAS = UINT64_C(6);
-static const uint64_t MOTION_VELOCITY = UINT64_C(3);
 static const uint64_t SEGMENTS = UINT64_C(3);
 
 void states_motion_difference(const states_motion_t *self, const states_motion_t *from,
@@ -56,12 +49,12 @@ void states_motion_difference(const states_motion_t *self, const states_motion_t
     double attitude_turn[3];
     rotation_scaled_axis_f64(&attitude_change, attitude_turn);
     for (uint32_t n = 0U; n < 3U; n++) {
-        errors[MOTION_ATTITUDE + n] = attitude_turn[n];
+        errors[STATES_MOTION_ATTITUDE + n] = attitude_turn[n];
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        errors[MOTION_VELOCITY + n] = self->velocity[n] - from->velocity[n];
+        errors[STATES_MOTION_VELOCITY + n] = self->velocity[n] - from->velocity[n];
     }
-    errors[MOTION_BIAS] = self->bias - from->bias;
+    errors[STATES_MOTION_BIAS] = self->bias - from->bias;
 }
 
 void states_motion_retracted(const states_motion_t *self, const double errors[7],
@@ -69,49 +62,50 @@ void states_motion_retracted(const states_motion_t *self, const double errors[7]
 {
     *moved = *self;
     const double attitude_turn[3] = {
-        errors[MOTION_ATTITUDE], errors[MOTION_ATTITUDE + 1U], errors[MOTION_ATTITUDE + 2U]
+        errors[STATES_MOTION_ATTITUDE], errors[STATES_MOTION_ATTITUDE + 1U],
+        errors[STATES_MOTION_ATTITUDE + 2U]
     };
     unit_quaternion_f64_t attitude_second;
     rotation_from_scaled_axis_f64(attitude_turn, &attitude_second);
     unit_quaternion_product_f64(&self->attitude, &attitude_second, &moved->attitude);
     for (uint32_t n = 0U; n < 3U; n++) {
-        moved->velocity[n] += errors[MOTION_VELOCITY + n];
+        moved->velocity[n] += errors[STATES_MOTION_VELOCITY + n];
     }
-    moved->bias += errors[MOTION_BIAS];
+    moved->bias += errors[STATES_MOTION_BIAS];
 }
 
 void beam_difference(const beam_t *self, const beam_t *from, float errors[BESSEMER_RESTRICT 4])
 {
     for (uint32_t n = 0U; n < SEGMENTS; n++) {
-        errors[BEAM_SEGMENTS + n] = self->segments[n] - from->segments[n];
+        errors[STATES_BEAM_SEGMENTS + n] = self->segments[n] - from->segments[n];
     }
-    errors[BEAM_HEATER] = self->heater - from->heater;
+    errors[STATES_BEAM_HEATER] = self->heater - from->heater;
 }
 
 void beam_of_vector(const float vector[4], beam_t *BESSEMER_RESTRICT beam)
 {
-    beam->segments[0] = vector[BEAM_SEGMENTS];
-    beam->segments[1] = vector[BEAM_SEGMENTS + 1U];
-    beam->segments[2] = vector[BEAM_SEGMENTS + 2U];
-    beam->heater = vector[BEAM_HEATER];
+    beam->segments[0] = vector[STATES_BEAM_SEGMENTS];
+    beam->segments[1] = vector[STATES_BEAM_SEGMENTS + 1U];
+    beam->segments[2] = vector[STATES_BEAM_SEGMENTS + 2U];
+    beam->heater = vector[STATES_BEAM_HEATER];
 }
 
 void beam_retracted(const beam_t *self, const float errors[4], beam_t *BESSEMER_RESTRICT moved)
 {
     *moved = *self;
     for (uint32_t n = 0U; n < SEGMENTS; n++) {
-        const uint32_t segments_index = (uint32_t)(BEAM_SEGMENTS + n);
+        const uint32_t segments_index = (uint32_t)(STATES_BEAM_SEGMENTS + n);
         moved->segments[n] += errors[segments_index];
     }
-    moved->heater += errors[BEAM_HEATER];
+    moved->heater += errors[STATES_BEAM_HEATER];
 }
 
 void beam_vector(const beam_t *self, float vector[BESSEMER_RESTRICT 4])
 {
     for (uint32_t n = 0U; n < SEGMENTS; n++) {
-        vector[BEAM_SEGMENTS + n] = self->segments[n];
+        vector[STATES_BEAM_SEGMENTS + n] = self->segments[n];
     }
-    vector[BEAM_HEATER] = self->heater;
+    vector[STATES_BEAM_HEATER] = self->heater;
 }
 
 void states_heated(const float values[4], float by,

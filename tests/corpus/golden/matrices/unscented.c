@@ -475,39 +475,37 @@ typedef struct {
 /* unscented.c */
 
 static const double BEACONS[2][2] = {{0.0, 0.0}, {10.0, 0.0}};
-static const uint64_t POSE_HEADING = UINT64_C(2);
-static const uint64_t POSE_PLACE = UINT64_C(0);
 
 void pose_difference(const pose_t *self, const pose_t *from, double errors[BESSEMER_RESTRICT 3])
 {
     for (uint32_t n = 0U; n < 2U; n++) {
-        errors[POSE_PLACE + n] = self->place[n] - from->place[n];
+        errors[UNSCENTED_POSE_PLACE + n] = self->place[n] - from->place[n];
     }
-    errors[POSE_HEADING] = self->heading - from->heading;
+    errors[UNSCENTED_POSE_HEADING] = self->heading - from->heading;
 }
 
 void pose_of_vector(const double vector[3], pose_t *BESSEMER_RESTRICT pose)
 {
-    pose->place[0] = vector[POSE_PLACE];
-    pose->place[1] = vector[POSE_PLACE + 1U];
-    pose->heading = vector[POSE_HEADING];
+    pose->place[0] = vector[UNSCENTED_POSE_PLACE];
+    pose->place[1] = vector[UNSCENTED_POSE_PLACE + 1U];
+    pose->heading = vector[UNSCENTED_POSE_HEADING];
 }
 
 void pose_retracted(const pose_t *self, const double errors[3], pose_t *BESSEMER_RESTRICT moved)
 {
     *moved = *self;
     for (uint32_t n = 0U; n < 2U; n++) {
-        moved->place[n] += errors[POSE_PLACE + n];
+        moved->place[n] += errors[UNSCENTED_POSE_PLACE + n];
     }
-    moved->heading += errors[POSE_HEADING];
+    moved->heading += errors[UNSCENTED_POSE_HEADING];
 }
 
 void pose_vector(const pose_t *self, double vector[BESSEMER_RESTRICT 3])
 {
     for (uint32_t n = 0U; n < 2U; n++) {
-        vector[POSE_PLACE + n] = self->place[n];
+        vector[UNSCENTED_POSE_PLACE + n] = self->place[n];
     }
-    vector[POSE_HEADING] = self->heading;
+    vector[UNSCENTED_POSE_HEADING] = self->heading;
 }
 
 void unscented_driven(const double pose[3], double distance, double turn,
