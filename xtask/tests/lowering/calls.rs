@@ -13,8 +13,10 @@ use super::types::{methods, name_of};
 use super::{Files, parsed, root};
 
 /// Names of std's methods.
-const OF_STD: [&str; 12] =
-    ["count", "entry", "is_empty", "iter", "len", "map", "nth", "ok", "or", "rev", "value", "zip"];
+const OF_STD: [&str; 13] = [
+    "copied", "count", "entry", "is_empty", "iter", "len", "map", "nth", "ok", "or", "rev",
+    "value", "zip",
+];
 
 /// Returns the files of all circles.
 pub fn circle(files: &Files) -> Vec<String> {

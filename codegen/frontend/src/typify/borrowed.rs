@@ -12,27 +12,11 @@ use bessemer_ir::tree::{Site, Ty};
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{Expr, Field, LocalId, Place, Span, Step, StructId, Type};
 
-use super::{Context, Problem, Result, refusals, refused};
-
-/// Fields that lead to a slice in a value. The elements of an array have no step, since they share one lender.
-pub(super) type Path = Vec<u32>;
+use super::context::{Borrowed, Context, Joined, Path};
+use super::problem::Problem;
 
 /// Location of a slice: a local or, without one, the result; and the fields that lead to it.
 pub(super) type Spot = (Option<LocalId>, Path);
-
-/// Two slices in a struct that have the same lender, since a function makes one a part of the other.
-pub(super) type Joined = (StructId, [Path; 2]);
-
-/// A slice in a value.
-#[derive(Clone)]
-pub(super) struct Borrowed {
-    /// Type of one element.
-    pub element: Type,
-    /// True if its elements may be written through it.
-    pub mutable: bool,
-    /// True for one element, `&mut T`.
-    pub one: bool,
-}
 
 /// The slices in the locals of a function, with the arrays that they refer to.
 #[derive(Default)]
@@ -57,6 +41,11 @@ impl Lenders {
     /// Returns the lender of the slice at a spot.
     pub fn of(&self, spot: &Spot) -> Option<Place> {
         self.known.iter().find(|it| it.0 == *spot).map(|it| it.1.clone())
+    }
+
+    /// Returns true if a local is a placeholder for a lender.
+    pub fn await_at(&self, local: LocalId) -> bool {
+        self.awaited.iter().any(|it| it.stands == local)
     }
 
     /// Returns true if the place of a lender contains a local for which `is` holds.
@@ -108,48 +97,6 @@ pub(super) fn is_element(ty: &Ty) -> bool {
 }
 
 impl Context<'_> {
-    /// Returns the struct that represents `&[T]` or `&mut [T]` in a value.
-    pub(super) fn borrowed(&mut self, element: &Ty, mutable: bool, site: Site) -> Result<Type> {
-        let ty = Ty::Ref(Box::new(Ty::Slice(Box::new(element.clone()))), mutable);
-        self.borrowed_type(ty, element, (mutable, false), site)
-    }
-
-    /// Returns the IR type of a value inside a tuple, an `Option` or a `Result`.
-    pub(super) fn content_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
-        match ty {
-            Ty::Ref(element, true) if is_element(ty) => {
-                self.borrowed_type(ty.clone(), element, (true, true), site)
-            }
-            ty => self.value_type(ty, site),
-        }
-    }
-
-    fn borrowed_type(
-        &mut self,
-        ty: Ty,
-        element: &Ty,
-        (mutable, one): (bool, bool),
-        site: Site,
-    ) -> Result<Type> {
-        if let Some(known) = self.types.generics.get(&ty) {
-            return Ok(known.clone());
-        }
-        let element = self.element_type(element, site)?;
-        let id = self.borrowed_struct(&element, (mutable, one), site)?;
-        self.types.borrowed.insert(id, Borrowed { element, mutable, one });
-        self.note(&Type::Struct(id)).unequal = true;
-        self.types.generics.insert(ty, Type::Struct(id));
-        Ok(Type::Struct(id))
-    }
-
-    /// Returns the IR type of a slice's elements.
-    pub(super) fn element_type(&mut self, element: &Ty, site: Site) -> Result<Type> {
-        match self.value_type(element, site)? {
-            Type::Unit => refused(site, refusals::EMPTY_ELEMENTS),
-            element => Ok(element),
-        }
-    }
-
     /// Returns the struct and the slice of a type that represents one.
     pub(super) fn as_borrowed(&self, ty: &Type) -> Option<(StructId, &Borrowed)> {
         match ty {

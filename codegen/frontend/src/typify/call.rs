@@ -1,6 +1,6 @@
 //! Calls of functions, with their arguments evaluated in Rust's order.
 
-use bessemer_ir::tree::{self, Builtin, Site};
+use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Place, Type};
 
 use super::lowering::Lowering;
@@ -9,44 +9,7 @@ use super::words;
 use super::{Result, refusals, refused};
 use bessemer_ir::{alias, effects};
 
-/// A function and the arguments of a call.
-pub(super) type Called<'a, 't> = (&'a tree::Function, &'t [tree::Expr]);
-
-impl<'a> Lowering<'a, '_> {
-    /// Returns the callee with a number.
-    pub(super) fn callee(&self, number: u32) -> Option<&tree::Callee> {
-        let named = self.source.callees.get(number as usize);
-        named.or_else(|| self.cx.unnamed_callee(number))
-    }
-
-    /// Returns the built-in operation that a callee is; none for a function.
-    pub(super) fn builtin_of(&self, callee: u32) -> Option<Builtin> {
-        match self.callee(callee)? {
-            tree::Callee::Builtin(builtin) => Some(*builtin),
-            tree::Callee::Function(_) => None,
-        }
-    }
-
-    /// Returns the built-in operation that an expression calls, and its arguments.
-    pub(super) fn builtin_call<'t>(
-        &self,
-        expr: &'t tree::Expr,
-    ) -> Option<(Builtin, &'t [tree::Expr])> {
-        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return None };
-        Some((self.builtin_of(*callee)?, arguments))
-    }
-
-    /// Returns the function that an expression calls, and its arguments.
-    pub(super) fn called<'t>(&self, expr: &'t tree::Expr) -> Option<Called<'a, 't>> {
-        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return None };
-        match self.callee(*callee)? {
-            tree::Callee::Function(path) => {
-                Some((self.cx.calls.all.get(path.as_str())?, arguments))
-            }
-            tree::Callee::Builtin(_) => None,
-        }
-    }
-
+impl Lowering<'_, '_> {
     pub(super) fn call_function(
         &mut self,
         id: FunctionId,

@@ -13,7 +13,7 @@ use bessemer_ir::tree::{
 use bessemer_ir::{CompareOp, Expr, ExprKind, Mode, Scalar, Type};
 
 use super::by_hand::limited;
-use super::call::Called;
+use super::callee::Called;
 use super::closure_args::is_hidden;
 use super::items::handing;
 use super::lengths::{least, number};

@@ -13,7 +13,7 @@ use bessemer_ir::visit::Walk;
 use bessemer_ir::{Expr, ExprKind, LogicOp, Stmt, Type};
 
 use super::by_hand::{borrowed, check_end};
-use super::call::Called;
+use super::callee::Called;
 use super::consumed::{check_last, is_borrowed, length_of_items, same_length};
 use super::items::{begins_at_once, lent};
 use super::lowering::{Lowering, Scope, local_since};

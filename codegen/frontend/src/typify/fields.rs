@@ -3,8 +3,8 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Expr, ExprKind, Place, Span, StmtKind, StructId, Type};
 
+use super::context::Case;
 use super::expr::Operand;
-use super::generic::Case;
 use super::lowering::{Lowering, local_since};
 use super::syntax::numbered;
 use super::words;

@@ -8,15 +8,17 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
-use super::borrowed::{Lenders, Path};
+use super::borrowed::Lenders;
+use super::context::Path;
 use super::destructure::Let;
 use super::locals::Locals;
 use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since};
 use super::names::split;
 use super::scopes::{Names, meaning_in};
-use super::syntax::{control_with_value, is_of_library};
+use super::slots::{slice_of, slot_type};
+use super::syntax::control_with_value;
 use super::value::Value;
-use super::{Context, Needed, Result, names, problem, refusals, refused};
+use super::{Context, Result, names, problem, refusals, refused};
 use crate::fuse::fuse;
 use crate::takers;
 
@@ -84,31 +86,11 @@ pub(super) fn without_marks(local: Local) -> Local {
     Local { name: local.name.replace('%', ""), ..local }
 }
 
-/// Returns the result type of a function, as rustc inferred it.
-pub(super) fn result_of(function: &tree::Function) -> Option<&Ty> {
-    function.slots.get(function.tree.result as usize)
-}
-
-/// Returns the element type of the slice that a type refers to.
-pub(super) fn slice_of(ty: &Ty) -> Option<&Ty> {
-    match ty {
-        Ty::Ref(inner, _) => match &**inner {
-            Ty::Slice(element) => Some(element),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
 /// Returns the type of Rust on which a function is implemented, such as `f64` or `[f64; 3]`; it is not an author's type.
 fn type_of_rust(source: &tree::Function) -> Option<&str> {
     let is_number = |path: &str| path.starts_with(char::is_lowercase) && !path.contains("::");
     let is_one = |path: &&str| is_number(path) || path.starts_with(['[', '(']);
     source.owner.as_deref().filter(is_one)
-}
-
-fn slot_type(source: &tree::Function, slot: u32, site: Site) -> Result<&Ty> {
-    source.slots.get(slot as usize).needed(site, "the tree names a slot that is not there")
 }
 
 impl<'a, 'c> Lowering<'a, 'c> {
@@ -239,7 +221,7 @@ impl Lowering<'_, '_> {
         self.give_values(&mut stmts);
         let mut body = Block(stmts);
         self.leave_unasked(&mut body);
-        super::labelled::leave_out(&mut body);
+        super::marks::leave_out(&mut body);
         self.out = body.0;
         Ok(())
     }
@@ -256,49 +238,6 @@ impl Lowering<'_, '_> {
         }
         self.comment(mark, tail.site);
         Ok(())
-    }
-
-    /// Returns the place of a node; of the DSL's own code that is inlined, the place of the author's call.
-    pub(super) fn span(&mut self, site: Site) -> Span {
-        match self.expanding.last() {
-            Some((_, call)) if is_of_library(self.source) => *call,
-            _ => self.cx.span(&self.source.file, site),
-        }
-    }
-
-    /// Returns the type in a slot as a value type.
-    pub(super) fn slot(&mut self, slot: u32, site: Site) -> Result<Type> {
-        self.cx.value_type(slot_type(self.source, slot, site)?, site)
-    }
-
-    /// Returns the type in a slot of an expression that is read; for a reference it is the referent's type.
-    pub(super) fn seen(&mut self, slot: u32, site: Site) -> Result<Type> {
-        match slot_type(self.source, slot, site)? {
-            Ty::Ref(inner, false) => self.cx.pointee(inner, site),
-            ty => self.cx.content_type(ty, site),
-        }
-    }
-
-    /// Returns the type of an expression as rustc inferred it; none if it has no slot.
-    pub(super) fn seen_as(&self, expr: &tree::Expr) -> Option<&Ty> {
-        self.source.slots.get(expr.slot? as usize)
-    }
-
-    /// Returns the referent of the reference type in a slot.
-    pub(super) fn refers_to(&mut self, slot: u32, site: Site) -> Result<Type> {
-        self.cx.pointee(slot_type(self.source, slot, site)?, site)
-    }
-
-    pub(super) fn slot_is_slice(&self, slot: u32, site: Site) -> Result<bool> {
-        Ok(slice_of(slot_type(self.source, slot, site)?).is_some())
-    }
-
-    pub(super) fn slot_is_reference(&self, slot: u32, site: Site) -> Result<bool> {
-        Ok(matches!(slot_type(self.source, slot, site)?, Ty::Ref(..)))
-    }
-
-    pub(super) fn slot_is_exclusive(&self, slot: u32, site: Site) -> Result<bool> {
-        Ok(matches!(slot_type(self.source, slot, site)?, Ty::Ref(_, true)))
     }
 
     /// Adds a local by value, which no name denotes yet.

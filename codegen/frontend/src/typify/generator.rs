@@ -15,7 +15,7 @@ use bessemer_ir::tree::{
 use bessemer_ir::{Expr, Int, Scalar, StmtKind};
 
 use super::by_hand::{takes, taking_next};
-use super::call::Called;
+use super::callee::Called;
 use super::closure_args::is_hidden;
 use super::consumed::{Sides, is_borrowed, zipped};
 use super::each::Each;

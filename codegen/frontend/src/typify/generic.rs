@@ -8,96 +8,23 @@ use bessemer_ir::{
     Enum, EnumId, Field, Form, Given, Scalar, Span, Struct, StructId, Type, Variant,
 };
 
-use super::names::snake;
+use super::context::{Case, Context, Home};
+use super::names::{arity, part, snake};
 use super::words;
-use super::{Context, OUR_FAULT, Result, problem, refusals, refused};
+use super::{Result, problem, refusals, refused};
 
-/// A variant of a [`Form::Choice`]. Its word is its index.
-#[derive(Clone)]
-pub(super) struct Case {
-    /// Name in Rust, such as `Some`.
-    pub name: String,
-    /// Index of the field that holds the payload.
-    pub field: Option<u32>,
-    /// True if the payload is one value, not a struct of several.
-    pub single: bool,
-}
-
-/// Location of an author's type: its module, and its position in the order of definitions.
-#[derive(Clone)]
-pub(super) struct Home {
-    /// A type contains only types with a lower number.
-    pub order: usize,
-    pub module: String,
-    pub span: Span,
-}
-
-/// Returns a type with nalgebra's types replaced by what represents them in the C. Inside tuples, `Option` and
-/// `Result` (`copied`), `&T` becomes `T`: nothing can write the referent during a shared borrow.
-fn bare(ty: &Ty, copied: bool) -> Ty {
-    let part = |ty: &Ty| Box::new(bare(ty, copied));
-    let element = |ty: &Ty| Box::new(bare(ty, false));
-    match ty {
-        Ty::Unit | Ty::Scalar(_) | Ty::Matrix(..) | Ty::Named(_) => ty.clone(),
-        Ty::Ref(inner, false) if copied && !matches!(**inner, Ty::Slice(_)) => *part(inner),
-        Ty::Tuple(parts) => Ty::Tuple(parts.iter().map(|ty| *part(ty)).collect()),
-        Ty::Option(value) => Ty::Option(part(value)),
-        Ty::Result(value, error) => Ty::Result(part(value), part(error)),
-        Ty::Array(of, len) => Ty::Array(element(of), *len),
-        Ty::List(of, n) => Ty::List(element(of), *n),
-        Ty::Slice(of) => Ty::Slice(element(of)),
-        Ty::Ref(inner, mutable) => Ty::Ref(element(inner), *mutable),
-        Ty::Known(name, _) if name == Ty::NAME => ty.clone(),
-        Ty::Known(_, inner) => *element(inner),
-    }
-}
-
-/// Returns the index of the field with a name, or with the number of a part.
-pub(super) fn position(fields: &[Field], name: &str) -> Option<usize> {
-    match name.parse::<usize>() {
-        Ok(index) => (index < fields.len()).then_some(index),
-        Err(_) => fields.iter().position(|field| field.name == name),
-    }
-}
-
-/// Returns the name of a tuple with this number of parts.
-pub(super) fn arity(count: usize) -> String {
-    match count.checked_sub(1).and_then(|at| words::TUPLES.get(at)) {
-        Some(name) => (*name).to_owned(),
-        None => format!("tuple{count}"),
-    }
-}
-
-/// Returns the C name of part `index` of a tuple of `count`.
-fn part(index: usize, count: usize) -> String {
-    match (words::PARTS.get(index), count) {
-        (_, 1) => words::VALUE.to_owned(),
-        (Some(name), _) => (*name).to_owned(),
-        (None, _) => format!("part_{}", index + 1),
-    }
+/// The payload of a variant: one value, or a struct of several.
+pub(super) struct Payload {
+    pub ty: Type,
+    /// rustc's type of the one value.
+    pub only: Option<Ty>,
+    /// The author's attributes of the one value.
+    pub given: Given,
 }
 
 impl Context<'_> {
-    /// Returns the struct that represents a standard type.
-    pub(super) fn generic(&mut self, ty: &Ty, site: Site) -> Result<Type> {
-        let ty = &bare(ty, true);
-        if let Some(known) = self.types.generics.get(ty) {
-            return Ok(known.clone());
-        }
-        let id = match ty {
-            Ty::Tuple(parts) => self.tuple(parts, site)?,
-            Ty::List(element, n) => self.list(element, *n, site)?,
-            Ty::Option(value) => self.outcome(value, None, site)?,
-            Ty::Result(value, error) => self.outcome(value, Some(error), site)?,
-            _ => return problem(site, "this type has no struct", OUR_FAULT),
-        };
-        self.types.generics.insert(ty.clone(), Type::Struct(id));
-        Ok(Type::Struct(id))
-    }
-
-    fn tuple(&mut self, parts: &[Ty], site: Site) -> Result<StructId> {
-        let types =
-            parts.iter().map(|ty| self.content_type(ty, site)).collect::<Result<Vec<_>>>()?;
+    /// Returns the struct for a tuple with parts of these types.
+    pub(super) fn tuple(&mut self, types: Vec<Type>, site: Site) -> Result<StructId> {
         if types.contains(&Type::Unit) {
             return refused(site, refusals::EMPTY_PART);
         }
@@ -140,8 +67,8 @@ impl Context<'_> {
         self.own_struct(name, (shown, meaning), fields, Form::Record, site)
     }
 
-    fn list(&mut self, element: &Ty, n: u32, site: Site) -> Result<StructId> {
-        let element = self.value_type(element, site)?;
+    /// Returns the struct for a list of at most `n` elements.
+    pub(super) fn list(&mut self, element: Type, n: u32, site: Site) -> Result<StructId> {
         if !self.slices_in(&element).is_empty() {
             return refused(site, refusals::MANY_SLICES);
         }
@@ -159,9 +86,13 @@ impl Context<'_> {
     }
 
     /// Returns the struct for an `Option`, or for a `Result` with this error: a tag, and a field for each payload.
-    fn outcome(&mut self, of: &Ty, or: Option<&Ty>, site: Site) -> Result<StructId> {
-        let value = self.content_type(of, site)?;
-        let error = or.map(|or| self.value_type(or, site)).transpose()?;
+    pub(super) fn outcome(
+        &mut self,
+        (of, value): (&Ty, Type),
+        error: Option<(&Ty, Type)>,
+        site: Site,
+    ) -> Result<StructId> {
+        let (or, error) = error.unzip();
         let (mut name, mut shown) = (self.content(of, &value), self.shown_content(of, &value));
         if let (Some(or), Some(error)) = (or, &error) {
             name += &self.content(or, error);
@@ -295,28 +226,24 @@ impl Context<'_> {
     pub(super) fn define_enum(
         &mut self,
         variants: &[tree::Variant],
+        payloads: Vec<Option<Payload>>,
         named: Enum,
-        site: Site,
-    ) -> Result<Type> {
+    ) -> Type {
         if variants.iter().all(|variant| variant.fields.is_empty()) {
             self.module.enums.push(named);
-            return Ok(Type::Enum(EnumId(self.module.enums.len() as u32 - 1)));
+            return Type::Enum(EnumId(self.module.enums.len() as u32 - 1));
         }
         let Enum { name, module, docs, given, span, .. } = named.clone();
         let tag = EnumId(self.module.enums.len() as u32);
         let mut fields = vec![field(words::TAG, "Which variant it is.", Type::Enum(tag))];
         // The tag refers to nothing.
         let (mut cases, mut rustc) = (Vec::new(), vec![Ty::Unit]);
-        for variant in variants {
-            let payload = self.payload(&named, variant, site)?;
-            let held = payload.map(|(ty, single)| {
+        for (variant, payload) in variants.iter().zip(payloads) {
+            let held = payload.map(|Payload { ty, only, given }| {
                 let name = snake(&variant.name);
                 let name = if name == "tag" { "tag_".to_owned() } else { name };
-                // Of one part, what is said of the part.
-                let part = variant.fields.first().filter(|_| single);
-                rustc.push(part.map_or(Ty::Unit, |part| part.ty.clone()));
-                let mut given = part.map(|part| part.given.clone()).unwrap_or_default();
-                given.sizes = self.sizes(&named.module, &ty, &given.sizes);
+                let single = only.is_some();
+                rustc.push(only.unwrap_or(Ty::Unit));
                 fields.push(Field { name, docs: variant.docs.clone(), ty, given });
                 (fields.len() as u32 - 1, single)
             });
@@ -336,17 +263,17 @@ impl Context<'_> {
         let ty = Type::Struct(id);
         let known = self.note(&ty);
         (known.cases, known.rustc) = (cases, rustc);
-        Ok(ty)
+        ty
     }
 
-    /// Returns the payload type of a variant, and true if it is one value.
-    fn payload(
+    /// Returns the payload of a variant with these fields; `kept` has false for a field that is zero-sized.
+    pub(super) fn payload(
         &mut self,
         named: &Enum,
         variant: &tree::Variant,
+        (fields, kept): (Vec<Field>, Vec<bool>),
         site: Site,
-    ) -> Result<Option<(Type, bool)>> {
-        let (fields, kept) = self.kept_fields(&named.module, &variant.fields, site)?;
+    ) -> Result<Option<Payload>> {
         if kept.len() > 1 && kept.contains(&false) {
             return problem(
                 site,
@@ -357,7 +284,11 @@ impl Context<'_> {
         let is_tuple = variant.fields.iter().all(|field| field.name.parse::<u32>().is_ok());
         match fields.as_slice() {
             [] => Ok(None),
-            [only] if is_tuple => Ok(Some((only.ty.clone(), true))),
+            [only] if is_tuple => {
+                let (ty, given) = (only.ty.clone(), only.given.clone());
+                let only = variant.fields.first().map(|part| part.ty.clone());
+                Ok(Some(Payload { ty, only, given }))
+            }
             _ => {
                 let id = self.add_struct(Struct {
                     name: self.free_name(format!("{}{}", named.name, variant.name)),
@@ -369,33 +300,9 @@ impl Context<'_> {
                     ..Struct::default()
                 });
                 self.note_fields(id, &variant.fields, &kept);
-                Ok(Some((Type::Struct(id), false)))
+                Ok(Some(Payload { ty: Type::Struct(id), only: None, given: Given::default() }))
             }
         }
-    }
-
-    /// Returns the fields of a struct or a variant that are not zero-sized, and a flag for each original field.
-    pub(super) fn kept_fields(
-        &mut self,
-        module: &str,
-        fields: &[tree::Field],
-        site: Site,
-    ) -> Result<(Vec<Field>, Vec<bool>)> {
-        let types = fields.iter().map(|field| self.held_type(&field.ty, site));
-        let types = types.collect::<Result<Vec<_>>>()?;
-        let kept: Vec<bool> = types.iter().map(|ty| *ty != Type::Unit).collect();
-        let count = kept.iter().filter(|kept| **kept).count();
-        let all = fields.iter().zip(types).filter(|(_, ty)| *ty != Type::Unit).enumerate();
-        let typed = all.map(|(index, (field, ty))| {
-            let name = match field.name.parse::<usize>() {
-                Ok(_) => part(index, count),
-                Err(_) => field.name.clone(),
-            };
-            let sizes = self.sizes(module, &ty, &field.given.sizes);
-            let given = Given { sizes, ..field.given.clone() };
-            Field { name, docs: field.docs.clone(), ty, given }
-        });
-        Ok((typed.collect(), kept))
     }
 
     /// Extends a name until no author's type has it.

@@ -9,7 +9,8 @@ use bessemer_ir::tree::{self, Site, Ty};
 use bessemer_ir::visit::{self, VisitMut};
 use bessemer_ir::{Block, Expr, ExprKind, Place, Step, StmtKind, StructId, Type};
 
-use super::borrowed::{Borrowed, spot_of};
+use super::borrowed::spot_of;
+use super::context::Borrowed;
 use super::lenders::{FROM, LENGTH};
 use super::locals::Locals;
 use super::lowering::{Lowering, UNNAMED, local_since};

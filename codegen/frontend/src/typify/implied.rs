@@ -11,9 +11,7 @@ use super::literal::is_unsuffixed_float;
 use super::lowering::Lowering;
 use crate::diagnostic::Place;
 
-use super::{
-    Context, Problem, Result, diagnostic, function, problem, refusals, refused, struct_of,
-};
+use super::{Context, Problem, Result, function, problem, refusals, refused, struct_of};
 
 impl<'a> Context<'a> {
     /// Returns the function of a path, lowered now if it was not before; none if it was refused, which is reported.
@@ -40,13 +38,6 @@ impl<'a> Context<'a> {
         self.calls.given_back.insert(id, lowered.given_back);
         self.module.functions.push(lowered.function);
         id
-    }
-
-    /// Reports a problem. A problem without a message depends on one that was reported already, and is dropped.
-    pub(super) fn tell(&mut self, file: &str, problem: Problem) {
-        if !problem.message.is_empty() {
-            self.told.push(diagnostic(file, problem));
-        }
     }
 
     /// Reports a problem in a function. For an instance of a generic function it also shows a call of that instance, which

@@ -15,9 +15,9 @@ use bessemer_ir::tree::{
 use bessemer_ir::{Place, Type};
 
 use super::closure_args::is_hidden;
-use super::function::result_of;
 use super::lowering::Lowering;
 use super::scopes::meaning_in;
+use super::slots::result_of;
 use super::syntax::generates;
 use super::value::Value;
 use super::{Result, refusals, refused};

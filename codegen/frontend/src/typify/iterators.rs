@@ -12,16 +12,13 @@ use bessemer_ir::{Expr, ExprKind, Mode, Place, Type};
 use super::by_hand::{is_next, taking_next};
 use super::closure_args::is_hidden;
 use super::each::Each;
-use super::function::result_of;
 use super::lowering::{Lowering, local_since};
 use super::scopes::Names;
 use super::seq::pair;
+use super::slots::result_of;
 use super::syntax::bare;
 use super::value::Value;
 use super::{Context, Problem, Result, loops, names, refusals, words};
-
-/// First number of callees that have no name in the source: `next` and `iter` of author-defined iterators.
-const CALLEES: u32 = 1 << 31;
 
 /// Message for a loop over such an iterator without a proved bound.
 const UNBOUNDED: &str = "this loop has no known bound: its iterator can return any number of items";
@@ -73,22 +70,6 @@ impl<'a> Context<'a> {
             }
             _ => false,
         }
-    }
-
-    /// Returns the number of a callee that has no name in the source.
-    pub(super) fn unnamed(&mut self, path: &str) -> u32 {
-        let is_it =
-            |it: &tree::Callee| matches!(it, tree::Callee::Function(known) if known == path);
-        let known = self.calls.unnamed.iter().position(is_it).unwrap_or_else(|| {
-            self.calls.unnamed.push(tree::Callee::Function(path.to_owned()));
-            self.calls.unnamed.len() - 1
-        });
-        CALLEES + known as u32
-    }
-
-    /// Returns the callee with such a number.
-    pub(super) fn unnamed_callee(&self, number: u32) -> Option<&tree::Callee> {
-        self.calls.unnamed.get(number.checked_sub(CALLEES)? as usize)
     }
 }
 

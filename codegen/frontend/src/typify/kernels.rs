@@ -12,7 +12,7 @@ use bessemer_ir::{
     effects,
 };
 
-use super::call::Called;
+use super::callee::Called;
 use super::lengths::size;
 use super::lowering::Lowering;
 use super::words;

@@ -17,8 +17,9 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
-use super::borrowed::{Awaited, Borrowed, Copied, Path, Spot, in_field, spot_of};
+use super::borrowed::{Awaited, Copied, Spot, in_field, spot_of};
 use super::call::lent;
+use super::context::{Borrowed, Path};
 use super::lengths::is_number;
 use super::lowering::{Lowering, UNNAMED};
 use super::value::{Slice, Submatrix, Value, indices};
@@ -161,16 +162,6 @@ impl Lowering<'_, '_> {
         given.iter().filter_map(mapped).collect()
     }
 
-    /// Returns the type at a place.
-    pub(super) fn type_of(&self, root: LocalId, steps: &[Step]) -> Type {
-        let root = self.locals[root.index()].ty.clone();
-        steps.iter().fold(root, |ty, step| match step {
-            // A part has the lenders of the whole.
-            Step::From(_) => ty,
-            _ => self.cx.module.step_type(&ty, step).unwrap_or(ty),
-        })
-    }
-
     /// Records the lender of a slice; refuses what would need a pointer.
     fn lend(&mut self, to: Spot, lender: Place, span: Span) {
         let of_param = lender.root.index() < self.lenders.params;
@@ -224,7 +215,7 @@ impl Lowering<'_, '_> {
             }
             let (lender, slice) = lenders
                 .first()
-                .filter(|lender| !self.stands(lender.root))
+                .filter(|lender| !self.lenders.await_at(lender.root))
                 .and_then(|lender| Some(((*lender).clone(), self.all_of((*lender).clone())?)))
                 .or_told(
                     site,
@@ -313,11 +304,6 @@ impl Lowering<'_, '_> {
             stands
         });
         Place::local(stands, ty, place.span)
-    }
-
-    /// Returns true if a local is a placeholder for a lender.
-    pub(super) fn stands(&self, local: LocalId) -> bool {
-        self.lenders.awaited.iter().any(|it| it.stands == local)
     }
 
     /// Replaces all placeholders by their lenders.

@@ -7,8 +7,8 @@
 use bessemer_ir::tree::Ty;
 use bessemer_ir::{LocalId, Mode, Place, Step, StructId, Type};
 
+use super::context::{Case, Context};
 use super::lowering::Lowering;
-use super::{Context, generic};
 
 impl Context<'_> {
     /// Returns rustc's type of the part to which a step leads, from rustc's type of the whole.
@@ -25,7 +25,7 @@ impl Context<'_> {
     }
 
     fn rustc_field(&self, id: StructId, field: u32, ty: Option<&Ty>) -> Option<Ty> {
-        let variant = |case: &generic::Case| case.field == Some(field);
+        let variant = |case: &Case| case.field == Some(field);
         match ty {
             Some(Ty::Tuple(parts)) => {
                 let at = |it: &Option<usize>| *it == Some(field as usize);
@@ -74,7 +74,7 @@ impl Lowering<'_, '_> {
     pub(super) fn is_loan(&self, place: &Place) -> bool {
         let changes = self.locals.assigned(place.root).is_some()
             || self.locals[place.root.index()].mode == Mode::RefMut
-            || self.stands(place.root);
+            || self.lenders.await_at(place.root);
         let refers = |ty: &Option<Ty>| matches!(ty, Some(Ty::Ref(_, false)));
         changes && self.rustc_along(place).iter().any(refers)
     }

@@ -23,7 +23,7 @@ use super::single_pass::single_pass;
 use super::syntax::{is_named, some_of};
 use super::value::Named;
 use super::words;
-use super::{Needed, Result, labelled, problem, refusals, refused};
+use super::{Needed, Result, marks, problem, refusals, refused};
 
 /// Remedy for a loop without a proved bound.
 pub(super) const DECLARE: &str = "write `#[bound(64)]` above the loop, which makes any further pass a fault; or count: `while i < n { …; i += 1; }`";
@@ -446,7 +446,7 @@ impl Lowering<'_, '_> {
     fn way_out(&self, left: usize, leaving: Leaving, depth: usize) -> Option<StmtKind> {
         let direct = self.is_outermost(left, depth);
         direct.then(|| match (leaving, self.frames[left].mark) {
-            (_, Some(mark)) => labelled::left(mark),
+            (_, Some(mark)) => marks::mark(mark),
             (Leaving::Break, None) => StmtKind::Break,
             (Leaving::Continue, None) => StmtKind::Continue,
         })

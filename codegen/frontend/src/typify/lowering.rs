@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use bessemer_ir::tree;
-use bessemer_ir::{LocalId, Place, Span, Stmt, Type};
+use bessemer_ir::{LocalId, Place, Span, Step, Stmt, Type};
 
 use super::Context;
 use super::borrowed::Lenders;
@@ -106,6 +106,16 @@ impl<'a> Lowering<'a, '_> {
         meanings_in(&self.scopes, name).find_map(|meaning| match meaning {
             Value::Closure(closure) => Some(*closure),
             _ => None,
+        })
+    }
+
+    /// Returns the type at a place.
+    pub(super) fn type_of(&self, root: LocalId, steps: &[Step]) -> Type {
+        let root = self.locals[root.index()].ty.clone();
+        steps.iter().fold(root, |ty, step| match step {
+            // A part has the lenders of the whole.
+            Step::From(_) => ty,
+            _ => self.cx.module.step_type(&ty, step).unwrap_or(ty),
         })
     }
 

@@ -3,7 +3,8 @@
 use bessemer_ir::tree::number;
 use bessemer_ir::{Type, tree};
 
-use super::Context;
+use super::context::Context;
+use super::words;
 
 /// Returns the words of a type of Rust as part of a name: `f64_3` for `[f64; 3]`.
 pub(super) fn joined(ty: &str) -> String {
@@ -75,4 +76,21 @@ pub(super) fn constant(module: &str, owner: Option<&str>, path: &str) -> (String
 /// Splits a path into module and name.
 pub(super) fn split(path: &str) -> (&str, &str) {
     path.rsplit_once("::").unwrap_or(("", path))
+}
+
+/// Returns the name of a tuple with this number of parts.
+pub(super) fn arity(count: usize) -> String {
+    match count.checked_sub(1).and_then(|at| words::TUPLES.get(at)) {
+        Some(name) => (*name).to_owned(),
+        None => format!("tuple{count}"),
+    }
+}
+
+/// Returns the C name of part `index` of a tuple of `count`.
+pub(super) fn part(index: usize, count: usize) -> String {
+    match (words::PARTS.get(index), count) {
+        (_, 1) => words::VALUE.to_owned(),
+        (Some(name), _) => (*name).to_owned(),
+        (None, _) => format!("part_{}", index + 1),
+    }
 }

@@ -12,7 +12,7 @@ use bessemer_ir::{
 
 use super::closure_args::is_hidden;
 use super::conditions::within;
-use super::generic::Case;
+use super::context::Case;
 use super::literal::is_wide;
 use super::lowering::Lowering;
 use super::value::{Named, Value};

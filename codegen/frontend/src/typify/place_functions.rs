@@ -10,11 +10,11 @@ use bessemer_ir::tree::visit::{self, VisitMut, Walk};
 use bessemer_ir::tree::{self, ExprKind as Tree, Site, Ty};
 use bessemer_ir::{Expr, Place, Type};
 
-use super::call::Called;
+use super::callee::Called;
 use super::closure_args::UNTIL_NAMED;
-use super::function::result_of;
 use super::lowering::Lowering;
 use super::rewrite::Placed;
+use super::slots::result_of;
 use super::value::Value;
 use super::{Context, Needed, Problem, Result, refusals, refused};
 

@@ -11,10 +11,10 @@ use bessemer_ir::{
 
 use super::comparison::Pair;
 use super::expr::Call;
-use super::function::{result_of, slice_of};
 use super::lengths::{compared, divided, is_number, lesser, minus, plus, same, size};
 use super::lowering::Lowering;
 use super::refusals::Reason;
+use super::slots::{result_of, slice_of};
 use super::syntax::{bare, control_with_value};
 use super::value::{Slice, Value};
 use super::words;

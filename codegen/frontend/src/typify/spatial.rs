@@ -10,16 +10,6 @@ use super::lowering::Lowering;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused, struct_of};
 
-/// Returns true if the type at a path represents a unit quaternion, false for any quaternion, none for another type.
-pub(super) fn quaternion(path: &str) -> Option<bool> {
-    let path = path.strip_prefix("bessemer::linear::spatial::")?;
-    match path.split('<').next()? {
-        "quaternion::Quaternion" => Some(false),
-        "unit_quaternion::UnitQuaternion" => Some(true),
-        _ => None,
-    }
-}
-
 /// Returns the part of a quaternion at an index that is written as a number: i, j, k and w in nalgebra's order.
 pub(super) fn numbered(index: &tree::Expr) -> Result<usize> {
     let part = match &index.kind {

@@ -12,7 +12,7 @@
 use bessemer_ir::tree::{self, Builtin, MatrixMethod, MatrixPart, Site};
 use bessemer_ir::{CompareOp, Expr, ExprKind, Place, Span, Step, StmtKind, Type};
 
-use super::call::Called;
+use super::callee::Called;
 use super::expr::Call;
 use super::lengths::{plus, size};
 use super::lowering::Lowering;

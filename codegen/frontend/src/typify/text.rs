@@ -3,40 +3,11 @@
 //! While functions are lowered, names have the type of an enum without variants, so that nothing takes one for a
 //! number: they have no order, no arithmetic and no conversion.
 
-use std::collections::BTreeMap;
-
-use bessemer_ir::tree::{Package, Site, Ty};
+use bessemer_ir::tree::{Site, Ty};
 use bessemer_ir::{Const, ConstId, Enum, EnumId, Given, Span, Type};
 
-use super::{Context, Result, problem};
-
-/// The names of a package.
-pub(super) struct Names<'a> {
-    /// Type of names, once there is one.
-    ty: Option<EnumId>,
-    /// Pairs of names with one word, by the word, which are not refused yet.
-    clashes: BTreeMap<u64, [&'a str; 2]>,
-}
-
-impl<'a> Names<'a> {
-    pub(super) fn of(package: &'a Package) -> Self {
-        let mut texts = BTreeMap::from([(0, "")]);
-        let mut clashes = BTreeMap::new();
-        for (word, text) in &package.names {
-            match texts.insert(*word, text.as_str()) {
-                Some(other) if other != text => _ = clashes.insert(*word, [other, text]),
-                _ => {}
-            }
-        }
-        Names { ty: None, clashes }
-    }
-
-    /// Takes a pair with one of these words. Many values have the word of the empty name, 0, which counts for texts alone.
-    pub(super) fn clash(&mut self, words: &[u64], is_text: bool) -> Option<[&'a str; 2]> {
-        let mut words = words.iter().filter(|word| is_text || **word != 0);
-        words.find_map(|word| self.clashes.remove(word))
-    }
-}
+use super::context::Context;
+use super::problem::{Result, problem};
 
 fn one_word<T>([one, other]: [&str; 2], site: Site) -> Result<T> {
     problem(

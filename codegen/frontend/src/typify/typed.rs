@@ -7,9 +7,9 @@
 use bessemer_ir::tree::{self, BinaryOp as Op, ExprKind as Tree};
 use bessemer_ir::{Float, Int, Scalar, Type};
 
-use super::function::result_of;
 use super::literal::type_of;
 use super::lowering::Lowering;
+use super::slots::result_of;
 use super::value::Value;
 use super::{Result, refusals, refused};
 

@@ -4,58 +4,18 @@
 //! A length is written as a constant in the C only if a marked constant has this name and this value, and other
 //! modules can see it. Else the C has the number.
 
-use bessemer_ir::tree::{self, Argument, Definition, DefinitionKind, Field, Site, Table, Ty};
-use bessemer_ir::{
-    Attributes, Const, ConstId, Enum, Given, Local, Scalar, Span, Struct, StructId, Type,
-};
+use bessemer_ir::tree::{self, Definition, DefinitionKind, Site, Table, Ty};
+use bessemer_ir::{Attributes, Const, ConstId, Enum, Field, Given, Local, Span, Struct, Type};
 
-use super::generic::Home;
-use super::names::{self, snake, split};
-use super::{Context, Result, problem, refusals, refused};
+use super::borrowed::is_element;
+use super::context::{Borrowed, Context, Home};
+use super::generic::{Payload, numbered};
+use super::names::{self, part};
+use super::{OUR_FAULT, Result, problem, refusals, refused};
 
 impl<'a> Context<'a> {
-    /// Returns the fields of a struct.
-    pub(super) fn fields(&self, id: StructId) -> &[bessemer_ir::Field] {
-        &self.module.structs[id.index()].fields
-    }
-
-    /// Returns the type of a field.
-    pub(super) fn field_type(&self, id: StructId, at: u32) -> Type {
-        self.fields(id)[at as usize].ty.clone()
-    }
-
-    /// Returns the name of a struct or an enum.
-    pub(super) fn name_of(&self, ty: &Type) -> Option<&str> {
-        match ty {
-            Type::Struct(id) => Some(&self.module.structs[id.index()].name),
-            Type::Enum(id) => Some(&self.module.enums[id.index()].name),
-            _ => None,
-        }
-    }
-
-    /// Adds a struct to the module.
-    pub(super) fn add_struct(&mut self, item: Struct) -> StructId {
-        self.module.structs.push(item);
-        StructId(self.module.structs.len() as u32 - 1)
-    }
-
-    /// Returns a type as its author writes it.
-    pub(super) fn show(&self, ty: &Type) -> String {
-        match ty {
-            Type::Unit => "()".into(),
-            Type::Scalar(scalar) => scalar.name().into(),
-            Type::Array { element, len } => format!("[{}; {len}]", self.show(element)),
-            Type::Matrix { element, rows, cols } => {
-                format!("SMatrix<{}, {rows}, {cols}>", element.name())
-            }
-            Type::Struct(_) if let Some(shown) = &self.known(ty).shown => shown.clone(),
-            Type::Struct(_) | Type::Enum(_) => self.name_of(ty).unwrap_or_default().to_owned(),
-            Type::Slice(element) => format!("[{}]", self.show(element)),
-        }
-    }
-
     /// Adds to each field the expression with which `impl Default` computes it, unless that is a plain number.
-    fn tell_defaults(&self, definition: &Definition, fields: &mut [bessemer_ir::Field]) {
+    fn tell_defaults(&self, definition: &Definition, fields: &mut [Field]) {
         for (name, expression) in self.sources.computed_defaults(&definition.file, &definition.name)
         {
             let field = fields.iter_mut().find(|field| field.name == name);
@@ -102,12 +62,13 @@ impl<'a> Context<'a> {
                 Type::Struct(id)
             }
             DefinitionKind::Enum(variants) => {
-                let named = super::generic::numbered(variants, site)?;
+                let named = numbered(variants, site)?;
                 let named = Enum { name, module, docs, variants: named, given, span };
-                self.define_enum(variants, named, site)?
+                let payloads = self.payloads(variants, &named, site)?;
+                self.define_enum(variants, payloads, named)
             }
         };
-        let differ = |fields: &[Field]| fields.iter().any(|field| self.may_differ(&field.ty));
+        let differ = |fields: &[tree::Field]| fields.iter().any(|field| self.may_differ(&field.ty));
         let may_differ = match &definition.kind {
             DefinitionKind::Struct { fields, .. } => differ(fields),
             DefinitionKind::Enum(variants) => variants.iter().any(|it| differ(&it.fields)),
@@ -124,70 +85,9 @@ impl<'a> Context<'a> {
             Some(("bessemer::range::Closed", _)) => Some(true),
             _ => None,
         };
-        known.unit = super::spatial::quaternion(path);
+        known.unit = quaternion(path);
         self.types.by_path.insert(definition.path.clone(), ty);
         Ok(())
-    }
-
-    /// Returns the name of an instance of the item `name` in the module or type `home`. Another item of the author's
-    /// with the resulting name keeps it.
-    pub(super) fn instance_name(&self, home: &str, name: &str, suffix: &str) -> String {
-        let own = format!("{name}{suffix}");
-        let taken =
-            !suffix.is_empty() && self.authored.contains(&format!("{home}::{}", snake(&own)));
-        if taken { format!("{name}_of{suffix}") } else { own }
-    }
-
-    /// Returns a readable suffix for an instance, such as `_f32_4`; empty without arguments.
-    pub(super) fn suffix(&self, arguments: &[Argument]) -> String {
-        arguments.iter().map(|argument| format!("_{}", self.argument_name(argument))).collect()
-    }
-
-    /// Returns a generic argument as part of a name.
-    pub(super) fn argument_name(&self, argument: &Argument) -> String {
-        match argument {
-            Argument::Type(ty) => self.type_name(ty),
-            Argument::Number(Scalar::Bool, word) => (*word != 0).to_string(),
-            Argument::Number(Scalar::Int(int), word) => {
-                let value = int.from_word(*word);
-                let sign = if value < 0 { "minus_" } else { "" };
-                format!("{sign}{}", value.unsigned_abs())
-            }
-            Argument::Number(_, word) => word.to_string(),
-        }
-    }
-
-    fn type_name(&self, ty: &Ty) -> String {
-        match ty {
-            Ty::Unit => "unit".into(),
-            Ty::Scalar(scalar) => scalar.name().into(),
-            Ty::Array(element, len) => format!("{}_{len}", self.type_name(element)),
-            Ty::Matrix(scalar, rows, cols) => format!("{}_{rows}x{cols}", scalar.name()),
-            Ty::Named(path) => snake(self.item_name(path)),
-            Ty::Tuple(parts) => {
-                let parts: Vec<_> = parts.iter().map(|part| self.type_name(part)).collect();
-                format!("{}_{}", super::generic::arity(parts.len()), parts.join("_"))
-            }
-            Ty::Slice(element) => format!("slice_{}", self.type_name(element)),
-            Ty::List(element, n) => format!("list{n}_{}", self.type_name(element)),
-            Ty::Option(value) => format!("option_{}", self.type_name(value)),
-            Ty::Result(value, error) => {
-                format!("result_{}_{}", self.type_name(value), self.type_name(error))
-            }
-            Ty::Ref(inner, _) => self.type_name(inner),
-            Ty::Known(name, inner) => match &**inner {
-                Ty::Matrix(scalar, ..) => format!("{}_{}", snake(name), scalar.name()),
-                Ty::Scalar(_) => snake(name),
-                inner => format!("{}_{}", snake(name), self.type_name(inner)),
-            },
-        }
-    }
-
-    /// Returns the name of the type at a path.
-    pub(super) fn item_name<'p>(&'p self, path: &'p str) -> &'p str {
-        let named = self.types.by_path.get(path).and_then(|ty| self.name_of(ty));
-        let nothing = || self.types.nothings.get(path).map(|it| it.name.as_str());
-        named.or_else(nothing).unwrap_or(split(path).1)
     }
 
     /// Returns the IR type of a value; references are refused.
@@ -248,6 +148,117 @@ impl<'a> Context<'a> {
                 self.generic(ty, site)?
             }
         })
+    }
+
+    /// Returns the struct that represents a standard type.
+    pub(super) fn generic(&mut self, ty: &Ty, site: Site) -> Result<Type> {
+        let ty = &bare(ty, true);
+        if let Some(known) = self.types.generics.get(ty) {
+            return Ok(known.clone());
+        }
+        let id = match ty {
+            Ty::Tuple(parts) => {
+                let parts = parts.iter().map(|ty| self.content_type(ty, site));
+                let parts = parts.collect::<Result<_>>()?;
+                self.tuple(parts, site)?
+            }
+            Ty::List(element, n) => {
+                let element = self.value_type(element, site)?;
+                self.list(element, *n, site)?
+            }
+            Ty::Option(of) => {
+                let value = self.content_type(of, site)?;
+                self.outcome((of, value), None, site)?
+            }
+            Ty::Result(of, or) => {
+                let value = self.content_type(of, site)?;
+                let error = self.value_type(or, site)?;
+                self.outcome((of, value), Some((or, error)), site)?
+            }
+            _ => return problem(site, "this type has no struct", OUR_FAULT),
+        };
+        self.types.generics.insert(ty.clone(), Type::Struct(id));
+        Ok(Type::Struct(id))
+    }
+
+    /// Returns the struct that represents `&[T]` or `&mut [T]` in a value.
+    pub(super) fn borrowed(&mut self, element: &Ty, mutable: bool, site: Site) -> Result<Type> {
+        let ty = Ty::Ref(Box::new(Ty::Slice(Box::new(element.clone()))), mutable);
+        self.borrowed_type(ty, element, (mutable, false), site)
+    }
+
+    /// Returns the IR type of a value inside a tuple, an `Option` or a `Result`.
+    pub(super) fn content_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
+        match ty {
+            Ty::Ref(element, true) if is_element(ty) => {
+                self.borrowed_type(ty.clone(), element, (true, true), site)
+            }
+            ty => self.value_type(ty, site),
+        }
+    }
+
+    fn borrowed_type(
+        &mut self,
+        ty: Ty,
+        element: &Ty,
+        (mutable, one): (bool, bool),
+        site: Site,
+    ) -> Result<Type> {
+        if let Some(known) = self.types.generics.get(&ty) {
+            return Ok(known.clone());
+        }
+        let element = self.element_type(element, site)?;
+        let id = self.borrowed_struct(&element, (mutable, one), site)?;
+        self.types.borrowed.insert(id, Borrowed { element, mutable, one });
+        self.note(&Type::Struct(id)).unequal = true;
+        self.types.generics.insert(ty, Type::Struct(id));
+        Ok(Type::Struct(id))
+    }
+
+    /// Returns the IR type of a slice's elements.
+    pub(super) fn element_type(&mut self, element: &Ty, site: Site) -> Result<Type> {
+        match self.value_type(element, site)? {
+            Type::Unit => refused(site, refusals::EMPTY_ELEMENTS),
+            element => Ok(element),
+        }
+    }
+
+    /// Returns the fields of a struct or a variant that are not zero-sized, and a flag for each original field.
+    pub(super) fn kept_fields(
+        &mut self,
+        module: &str,
+        fields: &[tree::Field],
+        site: Site,
+    ) -> Result<(Vec<Field>, Vec<bool>)> {
+        let types = fields.iter().map(|field| self.held_type(&field.ty, site));
+        let types = types.collect::<Result<Vec<_>>>()?;
+        let kept: Vec<bool> = types.iter().map(|ty| *ty != Type::Unit).collect();
+        let count = kept.iter().filter(|kept| **kept).count();
+        let all = fields.iter().zip(types).filter(|(_, ty)| *ty != Type::Unit).enumerate();
+        let typed = all.map(|(index, (field, ty))| {
+            let name = match field.name.parse::<usize>() {
+                Ok(_) => part(index, count),
+                Err(_) => field.name.clone(),
+            };
+            let sizes = self.sizes(module, &ty, &field.given.sizes);
+            let given = Given { sizes, ..field.given.clone() };
+            Field { name, docs: field.docs.clone(), ty, given }
+        });
+        Ok((typed.collect(), kept))
+    }
+
+    /// Returns the payload of each variant of an enum.
+    fn payloads(
+        &mut self,
+        variants: &[tree::Variant],
+        named: &Enum,
+        site: Site,
+    ) -> Result<Vec<Option<Payload>>> {
+        let payload = |variant: &tree::Variant| {
+            let fields = self.kept_fields(&named.module, &variant.fields, site)?;
+            self.payload(named, variant, fields, site)
+        };
+        variants.iter().map(payload).collect()
     }
 
     /// Returns the constant of this name and value in `module`; each is defined once.
@@ -354,6 +365,36 @@ impl<'a> Context<'a> {
         }
         attributes.result.sizes = sizes(result, &attributes.result.sizes);
         attributes
+    }
+}
+
+/// Returns a type with nalgebra's types replaced by what represents them in the C. Inside tuples, `Option` and
+/// `Result` (`copied`), `&T` becomes `T`: nothing can write the referent during a shared borrow.
+fn bare(ty: &Ty, copied: bool) -> Ty {
+    let part = |ty: &Ty| Box::new(bare(ty, copied));
+    let element = |ty: &Ty| Box::new(bare(ty, false));
+    match ty {
+        Ty::Unit | Ty::Scalar(_) | Ty::Matrix(..) | Ty::Named(_) => ty.clone(),
+        Ty::Ref(inner, false) if copied && !matches!(**inner, Ty::Slice(_)) => *part(inner),
+        Ty::Tuple(parts) => Ty::Tuple(parts.iter().map(|ty| *part(ty)).collect()),
+        Ty::Option(value) => Ty::Option(part(value)),
+        Ty::Result(value, error) => Ty::Result(part(value), part(error)),
+        Ty::Array(of, len) => Ty::Array(element(of), *len),
+        Ty::List(of, n) => Ty::List(element(of), *n),
+        Ty::Slice(of) => Ty::Slice(element(of)),
+        Ty::Ref(inner, mutable) => Ty::Ref(element(inner), *mutable),
+        Ty::Known(name, _) if name == Ty::NAME => ty.clone(),
+        Ty::Known(_, inner) => *element(inner),
+    }
+}
+
+/// Returns true if the type at a path represents a unit quaternion, false for any quaternion, none for another type.
+fn quaternion(path: &str) -> Option<bool> {
+    let path = path.strip_prefix("bessemer::linear::spatial::")?;
+    match path.split('<').next()? {
+        "quaternion::Quaternion" => Some(false),
+        "unit_quaternion::UnitQuaternion" => Some(true),
+        _ => None,
     }
 }
 

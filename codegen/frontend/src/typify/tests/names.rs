@@ -2,7 +2,7 @@
 
 use bessemer_ir::tree::Package;
 
-use super::super::text::Names;
+use super::super::context::Names;
 
 /// Names of a package, a word of a text, and the pair that has it.
 type Case = (&'static [(u64, &'static str)], u64, Option<[&'static str; 2]>);
