@@ -32,7 +32,10 @@ const FOLDER: &str = "controllers";
 pub type Files = BTreeMap<String, String>;
 
 /// A workspace with one package of models, `models`.
-pub struct Workspace(TempDir);
+pub struct Workspace {
+    root: TempDir,
+    target: PathBuf,
+}
 
 impl Workspace {
     /// Creates a workspace with a copy of the flight models.
@@ -96,7 +99,8 @@ impl Workspace {
     /// once.
     fn bare() -> std::io::Result<Workspace> {
         let root = root().canonicalize()?;
-        let workspace = Workspace(tempfile::tempdir()?);
+        let target = root.join("target");
+        let workspace = Workspace { root: tempfile::tempdir()?, target: target.clone() };
         fs::copy(root.join("Cargo.lock"), workspace.path("Cargo.lock"))?;
         fs::create_dir(workspace.path("legs"))?;
         for linked in ["dsl", "estimation", "blocks", "legs/words"] {
@@ -111,10 +115,20 @@ impl Workspace {
         assert!(text.contains("incremental = true"), "the workspace says nothing of its models");
         fs::write(workspace.path("Cargo.toml"), text)?;
         fs::create_dir(workspace.path(".cargo"))?;
-        let target = root.join("target");
+        workspace.with_target(target)
+    }
+
+    /// Replaces the target folder. In one of its own, a workspace is built while others are, and its dependencies once more.
+    ///
+    /// # Errors
+    /// An error of the file system.
+    pub fn with_target(mut self, target: PathBuf) -> std::io::Result<Workspace> {
+        fs::create_dir_all(&target)?;
+        let target = target.canonicalize()?;
         let config = format!("[build]\ntarget-dir = \"{}\"\n", target.display());
-        fs::write(workspace.path(".cargo/config.toml"), config)?;
-        Ok(workspace)
+        fs::write(self.path(".cargo/config.toml"), config)?;
+        self.target = target;
+        Ok(self)
     }
 
     /// Waits until no other run builds into the target folder or links from it, and keeps others out until the result is
@@ -123,7 +137,7 @@ impl Workspace {
     /// # Errors
     /// An error of the file system.
     pub fn alone(&self) -> std::io::Result<File> {
-        let file = File::create(root().join("target/.bessemer-lock"))?;
+        let file = File::create(self.target.join(".bessemer-lock"))?;
         file.lock().map(|()| file)
     }
 
@@ -145,7 +159,7 @@ impl Workspace {
 
     /// Returns a path in the workspace.
     pub fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
+        self.root.path().join(name)
     }
 
     /// Replaces `old` by `new` in each source file of the models that has it.

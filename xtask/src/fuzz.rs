@@ -12,10 +12,19 @@ use std::path::Path;
 /// The test that runs a requested number of programs.
 const TEST: &str = "random::fuzz::as_many_as_asked";
 
-/// Cargo options that optimise the compiler, since it runs for hours.
-const OPTIMISED: [&str; 2] = [
-    "profile.dev.package.bessemer-frontend.opt-level=2",
-    "profile.dev.package.bessemer-backend.opt-level=2",
+/// Crates that are optimised, since they run for hours: the compiler, and those that read trees and compare words.
+const OPTIMISED: [&str; 11] = [
+    "bessemer-backend",
+    "bessemer-codegen",
+    "bessemer-derivative",
+    "bessemer-frontend",
+    "bessemer-ir",
+    "bessemer-legs",
+    "bessemer-tests",
+    "bessemer-tree",
+    "bessemer-words",
+    "serde_core",
+    "serde_json",
 ];
 
 /// Runs the programs.
@@ -27,7 +36,9 @@ pub fn run(root: &Path, wanted: &Fuzz) -> Result<Outcome, Error> {
     let build = ["test", "--no-run", "--message-format", "json-render-diagnostics"];
     let mut build = project::cargo(root, &build);
     build.args(["--package", "bessemer-tests", "--test", "all"]);
-    OPTIMISED.iter().for_each(|setting| _ = build.args(["--config", setting]));
+    for package in OPTIMISED {
+        build.args(["--config", &format!("profile.dev.package.{package}.opt-level=2")]);
+    }
     let (status, messages) =
         Progress::default().closed(stage, |voice| stages::answered(&mut build, voice))?;
     let programs = Program::of(&messages);

@@ -3,9 +3,14 @@
 //!
 //! `BESSEMER_FUZZ` says how many, `BESSEMER_RANDOM_FROM` from which seed.
 
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, MutexGuard};
+use std::thread;
 use std::time::Instant;
 
 use bessemer_ir::used;
+use bessemer_tests::root;
 use bessemer_tests::workspace::Workspace;
 
 use super::reference::Reference;
@@ -35,42 +40,52 @@ opt-level = 2
 opt-level = 2
 ";
 
-#[test]
-#[ignore = "it takes as long as it is told: cargo xtask fuzz"]
-fn as_many_as_asked() {
-    let number = |name: &str| std::env::var(name).ok().and_then(|it| it.parse::<u64>().ok());
-    let (asked, from) = (number("BESSEMER_FUZZ").unwrap_or(1), number("BESSEMER_RANDOM_FROM"));
-    let workspace = Workspace::with_source("").expect("a workspace");
-    workspace.set_profiles(PROFILES).expect("its manifest");
-    let mut reference = Reference::new();
-    let (mut all, start) = (Reached::default(), Instant::now());
-    for seed in from.unwrap_or_default().. {
-        if all.programs >= asked as usize {
-            break;
+/// A run: its workers take seeds, and add what they reached.
+struct Run {
+    asked: usize,
+    seed: AtomicU64,
+    start: Instant,
+    reached: Mutex<(Reached, Reference)>,
+}
+
+impl Run {
+    /// Runs batches until there are as many programs as requested. Each worker has a workspace and a target folder of its own:
+    /// cargo runs one build at a time in a folder.
+    fn work(&self, worker: usize) {
+        let target = root().join(format!("target/fuzz/{worker}"));
+        let workspace = Workspace::with_source("").and_then(|it| it.with_target(target));
+        let workspace = workspace.expect("a workspace");
+        workspace.set_profiles(PROFILES).expect("its manifest");
+        while self.reached().0.programs < self.asked {
+            let seed = self.seed.fetch_add(1, Ordering::Relaxed);
+            let mut batch = batch(seed);
+            let reached = attack(&workspace, seed, &mut batch);
+            let wrong = wrong(&batch, &reached.differences);
+            for program in shrink::shrunk(&workspace, &wrong) {
+                let file = found::keep(&program, seed);
+                println!("different: {}", file.display());
+            }
+            self.add(&batch, reached);
         }
-        let mut batch = match seed % OF {
-            0 => Batch::new(seed, PROGRAMS),
-            1 => Batch::beside(seed, BESIDE),
-            2 => Batch::iterating(seed, BESIDE),
-            _ => Batch::aimed(seed, AIMED, INSTANCES),
-        };
-        batch.is_of_many = true;
-        batch.of_one = !seed.is_multiple_of(INSTANTIATED);
-        let reached = attack(&workspace, seed, &mut batch);
-        let left: Vec<_> = batch.left().into_iter().map(|it| &it.name).collect();
+    }
+
+    fn reached(&self) -> MutexGuard<'_, (Reached, Reference)> {
+        self.reached.lock().expect("no worker failed")
+    }
+
+    fn add(&self, batch: &Batch, reached: Reached) {
+        let mut guard = self.reached();
+        let (all, reference) = &mut *guard;
+        let left: BTreeSet<_> = batch.left().into_iter().map(|it| &it.name).collect();
         for program in &batch.programs {
-            reference.count(&program.text, left.contains(&&program.name));
-        }
-        let wrong = wrong(&batch, &reached.differences);
-        for program in shrink::shrunk(&workspace, &wrong) {
-            let file = found::keep(&program, seed);
-            println!("different: {}", file.display());
+            reference.count(&program.text, left.contains(&program.name));
         }
         all.add(reached);
-        let seconds = start.elapsed().as_secs_f64();
+        let seconds = self.start.elapsed().as_secs_f64();
         println!(
-            "{} of {asked} programs, {} calls ({} faults), {:.1} programs/s, {:.0} calls/s, {} refused, {} different",
+            "{} of {} programs, {} calls ({} faults), {:.1} programs/s, {:.0} calls/s, {} refused, {} different",
             all.programs,
+            self.asked,
             all.calls,
             all.faults,
             all.programs as f64 / seconds,
@@ -79,6 +94,35 @@ fn as_many_as_asked() {
             all.differences.len()
         );
     }
+}
+
+fn batch(seed: u64) -> Batch {
+    let mut batch = match seed % OF {
+        0 => Batch::new(seed, PROGRAMS),
+        1 => Batch::beside(seed, BESIDE),
+        2 => Batch::iterating(seed, BESIDE),
+        _ => Batch::aimed(seed, AIMED, INSTANCES),
+    };
+    batch.is_of_many = true;
+    batch.of_one = !seed.is_multiple_of(INSTANTIATED);
+    batch
+}
+
+#[test]
+#[ignore = "it takes as long as it is told: cargo xtask fuzz"]
+fn as_many_as_asked() {
+    let number = |name: &str| std::env::var(name).ok().and_then(|it| it.parse::<u64>().ok());
+    let run = Run {
+        asked: number("BESSEMER_FUZZ").unwrap_or(1) as usize,
+        seed: AtomicU64::new(number("BESSEMER_RANDOM_FROM").unwrap_or_default()),
+        start: Instant::now(),
+        reached: Mutex::new((Reached::default(), Reference::new())),
+    };
+    let (workers, run_by) = (thread::available_parallelism().map_or(1, usize::from), &run);
+    thread::scope(|scope| {
+        (0..workers).for_each(|worker| _ = scope.spawn(move || run_by.work(worker)));
+    });
+    let (all, reference) = run.reached.into_inner().expect("no worker failed");
     println!("\nhow often each rule decided something");
     for (rule, count) in used::counts() {
         println!("{count:>12}  {rule}");
