@@ -1,4 +1,4 @@
-//! Programs that once differed, minimised: one file each in `tests/found`. Every run takes half of them beside its random ones.
+//! Programs that once differed, minimised: one file each in `tests/found`. Every run takes a third of them beside its random ones.
 //!
 //! A file is plain Rust, written by `cargo xtask fuzz` or an author. Its signatures say what is called: the entry points of
 //! its last component, else each public `#[function]` whose name begins with the file's. Helpers are private. A file stays

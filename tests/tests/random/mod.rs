@@ -527,10 +527,10 @@ fn random_programs_agree() {
     for seed in from..from + seeds {
         let mut batch = Batch::new(seed, programs);
         if seed == from {
-            // Two turns that follow one another have all of them.
+            // Three turns that follow one another have all of them.
             let found = found::programs();
-            let half = found.len().div_ceil(2);
-            batch.programs.extend(turn::some_of(found, half));
+            let third = found.len().div_ceil(3);
+            batch.programs.extend(turn::some_of(found, third));
             for seed in BTreeSet::from([0, from]) {
                 batch.programs.extend(Batch::aimed(seed, AIMED, INSTANCES).programs);
             }

@@ -6,14 +6,16 @@
 //!
 //! A full run takes every program, any other one alternately. None where Frama-C is not requested: see `BESSEMER_LEGS`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::process::Command;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use bessemer_backend::passes;
 use bessemer_codegen::compile::Compiled;
-use bessemer_ir::FunctionId;
+use bessemer_ir::visit::Walk as _;
+use bessemer_ir::{FunctionId, Module};
 use bessemer_tests::process::{Folder, lay_out_needed};
 use bessemer_tests::store::once;
 use bessemer_tests::{harness, texts, toolchain, turn};
@@ -22,6 +24,8 @@ use super::{callable, kept, kept_options, natives};
 
 /// Programs of a run that is not full: one is three to thirteen seconds of processor.
 const SOME: usize = 1;
+/// Most statements of such a program, with the functions that it calls. Larger ones take a minute.
+const MOST: usize = 300;
 /// Seconds that a program may take, on a machine that has other work.
 const PATIENCE: &str = "600";
 
@@ -132,6 +136,9 @@ fn look_at_some(kept: &Compiled) {
     if let Some(unknown) = known.keys().find(|program| !programs.contains_key(**program)) {
         panic!("unseen.tsv names `{unknown}`, which is no program of the corpus");
     }
+    if !turn::is_full() {
+        programs.retain(|_, entries| statements(&kept.explicit, entries) <= MOST);
+    }
     let programs = turn::some_of(programs.into_iter().collect(), SOME);
     let (next, wrong) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     let work = || {
@@ -157,6 +164,17 @@ fn look_at_some(kept: &Compiled) {
          A row there of what is seen goes.\n{}",
         wrong.join("\n")
     );
+}
+
+/// Returns the number of statements of entries and of the functions that they call.
+fn statements(module: &Module, entries: &Entries) -> usize {
+    let reached = entries.iter().flat_map(|(id, _)| passes::reached(module, id.index()));
+    let functions: BTreeSet<usize> = reached.collect();
+    let mut count = 0;
+    for function in functions {
+        module.functions[function].body.0.each_stmt(|_| count += 1);
+    }
+    count
 }
 
 /// Returns those of the first list that are not in the second, with multiplicity.
