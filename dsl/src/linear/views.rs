@@ -2,7 +2,7 @@
 //!
 //! In the C, a view that is read is a copy; writing to a view writes to the matrix.
 
-// An index that overflows by one is told as nalgebra's own check tells it.
+// An index that overflows by one is reported as by the check of nalgebra.
 #![allow(clippy::int_plus_one)]
 
 use nalgebra::{SMatrix, SVector};
@@ -32,7 +32,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         part
     }
 
-    /// The block of `ROWS` × `COLUMNS` elements whose first element is at the given row and column.
+    /// The block of `ROWS` × `COLUMNS` elements whose first element is at this row and column.
     pub fn fixed_view<const ROWS: usize, const COLUMNS: usize>(
         a: &Self,
         row: usize,

@@ -42,7 +42,7 @@ opt-level = 2
 
 /// A run: its workers take seeds, and add what they reached.
 struct Run {
-    asked: usize,
+    wanted: usize,
     seed: AtomicU64,
     start: Instant,
     reached: Mutex<(Reached, Reference)>,
@@ -56,7 +56,7 @@ impl Run {
         let workspace = Workspace::with_source("").and_then(|it| it.with_target(target));
         let workspace = workspace.expect("a workspace");
         workspace.set_profiles(PROFILES).expect("its manifest");
-        while self.reached().0.programs < self.asked {
+        while self.reached().0.programs < self.wanted {
             let seed = self.seed.fetch_add(1, Ordering::Relaxed);
             let mut batch = batch(seed);
             let reached = attack(&workspace, seed, &mut batch);
@@ -85,7 +85,7 @@ impl Run {
         println!(
             "{} of {} programs, {} calls ({} faults), {:.1} programs/s, {:.0} calls/s, {} refused, {} different",
             all.programs,
-            self.asked,
+            self.wanted,
             all.calls,
             all.faults,
             all.programs as f64 / seconds,
@@ -113,7 +113,7 @@ fn batch(seed: u64) -> Batch {
 fn as_many_as_asked() {
     let number = |name: &str| std::env::var(name).ok().and_then(|it| it.parse::<u64>().ok());
     let run = Run {
-        asked: number("BESSEMER_FUZZ").unwrap_or(1) as usize,
+        wanted: number("BESSEMER_FUZZ").unwrap_or(1) as usize,
         seed: AtomicU64::new(number("BESSEMER_RANDOM_FROM").unwrap_or_default()),
         start: Instant::now(),
         reached: Mutex::new((Reached::default(), Reference::new())),
