@@ -278,7 +278,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Returns true for the result of a call with a union, which is read part by part: nothing copies the bytes that the
+    /// Returns true for the result of a call with a union, which is read part by part. So nothing copies the bytes that the
     /// callee does not write.
     fn is_read_by_its_tag(&self, local: LocalId, value: &Ir) -> bool {
         let Type::Struct(id) = &value.ty else { return false };
