@@ -27,6 +27,7 @@ pub mod toolchain;
 pub mod trees;
 mod units;
 pub mod watch;
+pub mod zig;
 
 pub use bessemer_store as store;
 pub use bessemer_words::{digest, value, words};

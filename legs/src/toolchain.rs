@@ -10,7 +10,7 @@ use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex};
 
-use crate::{machines, objects, store};
+use crate::{machines, objects, store, zig};
 
 use bessemer_backend::c::Standard;
 
@@ -350,7 +350,8 @@ impl Toolchain {
     ///
     /// The compiler's message.
     pub fn object(&self, source: &Path, flags: &[&str]) -> Result<(PathBuf, String), String> {
-        let object = source.with_extension(format!("{}-{}.o", self.compiler, self.level));
+        let compiler = Path::new(self.compiler).file_name().unwrap_or_default().to_string_lossy();
+        let object = source.with_extension(format!("{compiler}-{}.o", self.level));
         let mut command = self.command();
         command.args(flags);
         let words =
@@ -517,10 +518,10 @@ pub fn target() -> Vec<Toolchain> {
     if ARM.is_asked_for() { at_levels(ARM).collect() } else { Vec::new() }
 }
 
-/// Returns other emulated machines, one of them big-endian, optimised.
+/// Returns other emulated machines, some of them big-endian, and zig's compiler for this one, optimised.
 pub fn others() -> Vec<Toolchain> {
     let others = [AARCH64, RISCV64, S390X].into_iter().chain(machines::RARE);
-    others.filter(Toolchain::is_asked_for).collect()
+    others.filter(Toolchain::is_asked_for).chain(zig::zig()).collect()
 }
 
 /// Returns every toolchain of this run.

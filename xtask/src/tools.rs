@@ -275,6 +275,13 @@ pub const TOOLS: &[Tool] = &[
         source: Source::Package("chromium"),
     },
     package(
+        "zig",
+        "compiles the emitted C for this processor by a newer clang",
+        Need::Full,
+        "ziglang",
+        "ziglang==0.17.1",
+    ),
+    package(
         "wasmtime",
         "runs the models as WebAssembly",
         Need::Full,
