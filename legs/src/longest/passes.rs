@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::estimate::{self, Estimate};
 use bessemer_ir::visit::Walk as _;
-use bessemer_ir::{Argument, Expr, ExprKind, Module, Place, Type};
+use bessemer_ir::{Argument, Expr, ExprKind, Module, Place, Role, Type};
 
 use super::assembly::{Block, Function};
 
@@ -155,13 +155,15 @@ fn value(text: &str, constants: &BTreeMap<&str, u64>) -> Option<u64> {
 
 /// Returns for each name of a slice parameter the longest array that is passed to one.
 ///
-/// A name is not in it if the length of one argument is unknown.
+/// A name is not in it if the length of one argument is unknown, or if the firmware passes one, whose length may be any.
 fn slices(module: &Module) -> BTreeMap<String, u64> {
     let mut found: BTreeMap<String, Option<u64>> = BTreeMap::new();
     for function in &module.functions {
         let is_slice = |it: &&bessemer_ir::Local| matches!(it.ty, Type::Slice(_));
+        let within = !matches!(function.role, Role::Entry { .. });
         for parameter in function.parameters().iter().filter(is_slice) {
-            found.entry(parameter.name.clone()).or_insert(Some(0));
+            let most = found.entry(parameter.name.clone()).or_insert(Some(0));
+            *most = most.filter(|_| within);
         }
     }
     for function in &module.functions {
@@ -233,6 +235,7 @@ fn stride(text: &str) -> Option<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use bessemer_ir::{Attributes, Function, Local, Mode, Span};
 
     #[test]
     fn heads_with_constant_ends_have_their_passes() {
@@ -245,6 +248,33 @@ mod tests {
         assert_eq!(of("for (uint32_t col = 0U; col <= row; col++) {"), None);
         assert_eq!(of("for (uint32_t n = 8U; n-- > 0U;) {"), None);
         assert_eq!(of("while (n < 3U) {"), None);
+    }
+
+    #[test]
+    fn a_slice_from_the_firmware_has_any_length() {
+        let of = |role: Role| {
+            let element = Type::Slice(Box::new(Type::F64));
+            let span = Span::default();
+            let (name, mode) = ("values".to_owned(), Mode::Ref);
+            let function = Function {
+                name: "mean".to_owned(),
+                module: "filters".to_owned(),
+                owner: None,
+                role,
+                attributes: Attributes::default(),
+                docs: Vec::new(),
+                locals: vec![Local { name, ty: element, mode, span }],
+                params: 1,
+                result: Type::Unit,
+                result_name: String::new(),
+                body: bessemer_ir::Block(Vec::new()),
+                kernel: None,
+                span,
+            };
+            slices(&Module { functions: vec![function], ..Module::default() })
+        };
+        assert_eq!(of(Role::Private), BTreeMap::from([("values".to_owned(), 0)]));
+        assert_eq!(of(Role::Entry { infallible: true }), BTreeMap::new());
     }
 
     #[test]
