@@ -237,13 +237,7 @@ pub const TOOLS: &[Tool] = &[
         "compiles the program around the models for RISC-V of 32 bits",
         Need::Full,
     ),
-    Tool {
-        name: "picolibc",
-        purpose: "headers and libraries for the above",
-        need: Need::Full,
-        probe: Probe::File("/usr/lib/picolibc/riscv64-unknown-elf/picolibc.specs"),
-        source: Source::Package(programs::RISCV_BARE_GCC.packages[1]),
-    },
+    headers("picolibc", programs::RISCV_BARE_GCC, Need::Full),
     program(programs::QEMU_SYSTEM_RISCV32, "runs it", Need::Full),
     program(
         programs::S390X_GCC,
@@ -386,8 +380,13 @@ impl Machine for ThisMachine {
     }
 
     fn finds_headers(&self, compiler: &str) -> bool {
-        answer(Command::new(compiler).args(["-x", "c", "-E", "-include", "math.h", "/dev/null"]))
-            .is_some()
+        let mut command = Command::new(compiler);
+        command.args(["-x", "c", "-E", "-include", "math.h", "/dev/null"]);
+        // It has no C library of its own.
+        if compiler == programs::RISCV_BARE_GCC.name {
+            command.arg("--specs=picolibc.specs");
+        }
+        answer(&mut command).is_some()
     }
 
     fn has_sanitizers(&self, compiler: &str) -> bool {

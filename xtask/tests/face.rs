@@ -82,6 +82,7 @@ impl Fake {
         for (compiler, answer) in [
             ("aarch64-linux-gnu-gcc", "aarch64-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
             ("riscv64-linux-gnu-gcc", "riscv64-linux-gnu-gcc (Debian 12.2.0-13) 12.2.0"),
+            ("riscv64-unknown-elf-gcc", "riscv64-unknown-elf-gcc () 12.2.0"),
             ("s390x-linux-gnu-gcc", "s390x-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
             ("alpha-linux-gnu-gcc", "alpha-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
             ("hppa-linux-gnu-gcc", "hppa-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
@@ -100,7 +101,6 @@ impl Fake {
             ("frama-c", "25.0-beta (Manganese)"),
             ("cppcheck", "Cppcheck 2.10"),
             ("chromium", "Chromium 150.0.1 built on Debian GNU/Linux 12 (bookworm)"),
-            ("riscv64-unknown-elf-gcc", "riscv64-unknown-elf-gcc () 12.2.0"),
             ("qemu-system-riscv32", "QEMU emulator version 7.2.22 (Debian 1:7.2+dfsg-7)"),
             ("qemu-s390x", "qemu-s390x version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
             ("qemu-alpha", "qemu-alpha version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
