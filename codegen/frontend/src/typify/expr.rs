@@ -349,7 +349,7 @@ impl Lowering<'_, '_> {
         Ok(Expr::compare(op, left, right).at(self.span(site)))
     }
 
-    fn matrix_binary(&mut self, op: Op, mut left: Expr, right: Expr, site: Site) -> Result<Expr> {
+    fn matrix_binary(&mut self, op: Op, left: Expr, right: Expr, site: Site) -> Result<Expr> {
         let (routine, arguments) = match (op, &left.ty, &right.ty) {
             (Op::Add, Type::Matrix { .. }, _) => (Routine::Add, vec![left, right]),
             (Op::Sub, Type::Matrix { .. }, _) => (Routine::Sub, vec![left, right]),
@@ -357,10 +357,8 @@ impl Lowering<'_, '_> {
                 (Routine::Product, vec![left, right])
             }
             (Op::Mul, Type::Matrix { .. }, _) => (Routine::Scale, vec![left, right]),
-            (Op::Mul, _, Type::Matrix { .. }) => {
-                left = self.atom(words::OPERAND, left);
-                (Routine::Scale, vec![right, left])
-            }
+            // `operands` holds the number before the matrix is read.
+            (Op::Mul, _, Type::Matrix { .. }) => (Routine::Scale, vec![right, left]),
             (Op::Div, Type::Matrix { .. }, Type::Scalar(_)) => {
                 (Routine::Unscale, vec![left, right])
             }
