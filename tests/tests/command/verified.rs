@@ -42,8 +42,9 @@ pub fn verified(package: &Path) {
         let figures: Vec<u32> =
             row.split_whitespace().filter_map(|word| word.parse().ok()).collect();
         // Double precision is in software there.
-        let [instructions, stack] = figures[..] else { panic!("{text}") };
+        let [instructions, stack, longest] = figures[..] else { panic!("{text}") };
         assert!(instructions >= 100 && (8..512).contains(&stack), "{text}");
+        assert!(longest >= instructions, "{text}");
     }
     assert!(text.contains("  Rust ") && text.contains("Count::more: not called"), "{text}");
     fs::write(&source, sound).expect("the model");
