@@ -2,8 +2,8 @@
 //!
 //! All data are in the first cache, or in memory without wait states.
 //!
-//! Sources: Arm's Technical Reference Manuals of the Cortex-M4 (DDI 0439) and of the Cortex-A9's
-//! floating-point unit (DDI 0408). A branch counts as taken, on the Cortex-A9 as mispredicted. On the
+//! The figures follow Arm's Technical Reference Manuals of the Cortex-M4 (DDI 0439) and of the Cortex-A9's
+//! floating-point unit (DDI 0408), by class of instruction. No processor has confirmed them. A branch counts as taken, on the Cortex-A9 as mispredicted. On the
 //! Cortex-A9 each operation waits for the one before it.
 
 use super::Processor;

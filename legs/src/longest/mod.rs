@@ -1,7 +1,7 @@
 //! Longest path of each entry point through the code that gcc makes of the C, in instructions and cycles.
 //!
-//! Model: each source is compiled to assembly. A function costs the most of all paths through its blocks; a call costs
-//! its callee, and a function of a library the figure of [`library`]. A loop costs its longest pass as often as its
+//! Model: each source is compiled to assembly. A function costs the most of all paths through its blocks, and of its copies
+//! in other files; a call costs its callee, and a function of a library the figure of [`library`]. A loop costs its longest pass as often as its
 //! largest number of passes, which the C itself or the explicit IR has ([`passes`]). The passes and the sides of branches
 //! are taken as independent, so the path need not be possible. Each instruction costs one, and the cycles of [`cycles`];
 //! caches, wait states and interrupts are not in it.
@@ -76,12 +76,9 @@ pub fn longest(compiled: &Compiled, toolchain: &Toolchain) -> Result<Option<Vec<
     let Some(processor) = processor(toolchain) else { return Ok(None) };
     let laid = process::lay_out(compiled).map_err(|error| error.to_string())?;
     let texts = assembled(toolchain, laid.sources())?;
-    let mut functions: BTreeMap<String, Function> = BTreeMap::new();
-    for text in &texts {
-        for function in assembly::functions(text) {
-            // A copy of an inline function in another file has the same name, and the same text.
-            functions.entry(function.name.clone()).or_insert(function);
-        }
+    let mut functions: BTreeMap<String, Vec<Function>> = BTreeMap::new();
+    for function in texts.iter().flat_map(|text| assembly::functions(text)) {
+        functions.entry(function.name.clone()).or_default().push(function);
     }
     let passes = Passes::of(compiled);
     let mut costs = Costs {
@@ -120,14 +117,16 @@ fn assembled(toolchain: &Toolchain, sources: &[std::path::PathBuf]) -> Result<Ve
         let workers: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
         workers.into_iter().filter_map(|it| it.join().ok()).flatten().collect::<Vec<_>>()
     });
-    // Of two copies of a function, the first one counts.
+    // The first error is the same in each run.
     made.sort_by_key(|(source, _)| *source);
     made.into_iter().map(|(_, text)| text).collect()
 }
 
 struct Costs<'f> {
     processor: Processor,
-    functions: &'f BTreeMap<String, Function>,
+    /// Functions by name. Each file may have one of its own: a copy of an inline function, or gcc's copy for the constants of
+    /// its calls (`f.constprop.0`).
+    functions: &'f BTreeMap<String, Vec<Function>>,
     passes: &'f Passes,
     /// Most binary places of the quotient of a remainder.
     places: u64,
@@ -140,11 +139,17 @@ impl Costs<'_> {
         if let Some(known) = self.known.get(name) {
             return known.clone().unwrap_or_else(|| Err(format!("`{name}` calls itself")));
         }
-        let Some(function) = self.functions.get(name) else {
+        let Some(copies) = self.functions.get(name) else {
             return Err(format!("`{name}` is of a library without a known cost"));
         };
         self.known.insert(name.to_owned(), None);
-        let cost = self.function(function);
+        let cost = copies.iter().try_fold(Cost::default(), |most, copy| {
+            let cost = self.function(copy)?;
+            Ok(Cost {
+                instructions: most.instructions.max(cost.instructions),
+                cycles: most.cycles.max(cost.cycles),
+            })
+        });
         self.known.insert(name.to_owned(), Some(cost.clone()));
         cost
     }
@@ -180,5 +185,30 @@ impl Costs<'_> {
             paths::longest(&next, &leave, &costs, &bound)
         };
         Ok(Cost { instructions: longest(|it| it.instructions)?, cycles: longest(|it| it.cycles)? })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// gcc gives copies for constants the same name in each file, and another text.
+    #[test]
+    fn of_copies_with_one_name_the_longest_counts() {
+        let text =
+            |body: &str| format!("\t.type\tf, %function\nf:\n{body}\tbx\tlr\n\t.size\tf, .-f\n");
+        let copies =
+            |bodies: [&str; 2]| bodies.map(|body| assembly::functions(&text(body)).remove(0));
+        for bodies in [["", "\tnop\n\tnop\n"], ["\tnop\n\tnop\n", ""]] {
+            let functions = BTreeMap::from([("f".to_owned(), copies(bodies).into())]);
+            let mut costs = Costs {
+                processor: Processor::M4f,
+                functions: &functions,
+                passes: &Passes::default(),
+                places: 0,
+                known: BTreeMap::new(),
+            };
+            assert_eq!(costs.of("f").map(|it| it.instructions), Ok(3));
+        }
     }
 }

@@ -19,6 +19,7 @@ use super::assembly::{Block, Function};
 type Line = (String, u32);
 
 /// The loops of the C.
+#[derive(Default)]
 pub struct Passes {
     /// By the line of the head: the last line of the loop, and its passes.
     loops: BTreeMap<Line, (u32, Option<u64>)>,

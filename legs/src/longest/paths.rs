@@ -144,7 +144,7 @@ mod tests {
     #[test]
     fn a_test_behind_the_pass_runs_as_often_as_the_pass() {
         assert_eq!(of(&[&[1], &[1, 2], &[]], &[1, 10, 5], 4), 1 + 40 + 5);
-        // Of two blocks: 1 (body) → 2 (test) → 1 or 3.
+        // The loop has two blocks: 1 (body) → 2 (test) → 1 or 3.
         assert_eq!(of(&[&[1], &[2], &[1, 3], &[]], &[1, 10, 2, 5], 4), 1 + 48 + 5);
     }
 
