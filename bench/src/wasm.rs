@@ -62,18 +62,24 @@ pub fn measure(longest: f64, peers: Option<&Path>) -> Result<Vec<Row>, String> {
     rows.push(contended("rustc", &flight, &THEIRS, &native, "linked_step", &[])?);
     let made = tempfile::tempdir().map_err(|error| error.to_string())?;
     let source = made.path().join("linked.c");
-    run(Command::new("wasm2c").arg(linked::library(WASM)?).arg("-o").arg(&source))?;
+    let module = linked::library(WASM)?;
+    let bytes = std::fs::read(&module).map_err(|error| format!("{}: {error}", module.display()))?;
+    let memory =
+        linear_memory(&bytes).ok_or_else(|| format!("{} declares no memory", module.display()))?;
+    run(Command::new("wasm2c").arg(&module).arg("-o").arg(&source))?;
     let sources = [source.clone(), Path::new(RUN_TIME).join("wasm-rt-impl.c")];
     let include = format!("-I{}", made.path().display());
     let flags = ["-DWASM2C", "-D_GNU_SOURCE", include.as_str()];
-    rows.push(contended("wasm2c", &flight, &THEIRS, &sources, "Z_linkedZ_linked_step", &flags)?);
+    let row = contended("wasm2c", &flight, &THEIRS, &sources, "Z_linkedZ_linked_step", &flags)?;
+    rows.push(Row { memory, ..row });
     if let Some(peers) = peers {
         // The file is written anew.
-        run(Command::new(peers.join("w2c2/build/w2c2")).arg(linked::library(WASM)?).arg(&source))?;
+        run(Command::new(peers.join("w2c2/build/w2c2")).arg(&module).arg(&source))?;
         let base = format!("-I{}", peers.join("w2c2/w2c2").display());
         let flags = ["-DW2C2", include.as_str(), base.as_str()];
         let step = "linked_linked_step";
-        rows.push(contended("w2c2", &flight, &THEIRS, &[source], step, &flags)?);
+        let row = contended("w2c2", &flight, &THEIRS, &[source], step, &flags)?;
+        rows.push(Row { memory, ..row });
     }
     Ok(rows)
 }
@@ -132,15 +138,41 @@ fn contended(
     let every_second =
         |from: usize| mean(&found.counts.iter().skip(from).step_by(2).copied().collect::<Vec<_>>());
     let is_c = sources.iter().all(|it| it.extension().is_some_and(|it| it == "c"));
-    let (text, memory) = match is_c {
+    let text = match is_c {
         true => {
             let (objects, _) = toolchain.objects(sources, &[flags, &SECTIONS].concat())?;
             let kept = folder.path().join("kept");
-            (Some(toolchain.brought(&objects, step, &kept)?.text), PAGE)
+            Some(toolchain.brought(&objects, step, &kept)?.text)
         }
-        false => (None, 0),
+        false => None,
     };
-    Ok(Row { contender, height: every_second(1), onboard: every_second(0), text, memory })
+    Ok(Row { contender, height: every_second(1), onboard: every_second(0), text, memory: 0 })
+}
+
+/// Returns the bytes of the first memory that a module of WebAssembly declares: the least number of pages, in section 5.
+fn linear_memory(module: &[u8]) -> Option<u64> {
+    const MEMORIES: u8 = 5;
+    // The magic number and the version come first.
+    let mut rest = module.get(8..)?;
+    loop {
+        let (id, after) = rest.split_first()?;
+        let (length, content) = number(after)?;
+        let (content, next) = content.split_at_checked(usize::try_from(length).ok()?)?;
+        if *id == MEMORIES {
+            let (count, memories) = number(content)?;
+            let (_limits, pages) = memories.split_first().filter(|_| count > 0)?;
+            return Some(PAGE * number(pages)?.0);
+        }
+        rest = next;
+    }
+}
+
+/// Reads a number in LEB128; returns the bytes after it, too.
+fn number(bytes: &[u8]) -> Option<(u64, &[u8])> {
+    let end = bytes.iter().take(9).position(|byte| byte & 0x80 == 0)?;
+    let (own, rest) = bytes.split_at(end + 1);
+    let value = own.iter().rev().fold(0, |value, byte| value << 7 | u64::from(byte & 0x7F));
+    Some((value, rest))
 }
 
 fn mean(counts: &[u64]) -> f64 {
@@ -193,4 +225,19 @@ pub fn json(rows: &[Row]) -> Value {
         "flags": ARM.command().get_args().map(|a| a.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" "),
         "contenders": rows,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_memory_of_a_module_is_read() {
+        let head = b"\0asm\x01\0\0\0";
+        let of = |sections: &[u8]| linear_memory(&[head, sections].concat());
+        // A section of types, then a memory of 2 pages; one of 130 pages at most 200.
+        assert_eq!(of(&[1, 2, 9, 9, 5, 3, 1, 0, 2]), Some(2 * PAGE));
+        assert_eq!(of(&[5, 6, 1, 1, 0x82, 1, 0xC8, 1]), Some(130 * PAGE));
+        assert_eq!([of(&[]), of(&[5, 1, 0]), of(&[1, 9, 0]), linear_memory(b"\0as")], [None; 4]);
+    }
 }
