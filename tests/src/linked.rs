@@ -1,6 +1,6 @@
 //! Runs the flight software as rustc compiles it for other processors (`bench/linked/`), under emulation and in wasmtime.
 //!
-//! What it must not know: emitted C.
+//! Must not know: the C that the generator emits.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};

@@ -44,7 +44,7 @@ impl Lenders {
     }
 
     /// Returns true if a local is a placeholder for a lender.
-    pub fn await_at(&self, local: LocalId) -> bool {
+    pub fn has_placeholder(&self, local: LocalId) -> bool {
         self.awaited.iter().any(|it| it.stands == local)
     }
 

@@ -215,7 +215,7 @@ impl Lowering<'_, '_> {
             }
             let (lender, slice) = lenders
                 .first()
-                .filter(|lender| !self.lenders.await_at(lender.root))
+                .filter(|lender| !self.lenders.has_placeholder(lender.root))
                 .and_then(|lender| Some(((*lender).clone(), self.all_of((*lender).clone())?)))
                 .or_told(
                     site,

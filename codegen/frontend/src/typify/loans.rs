@@ -74,7 +74,7 @@ impl Lowering<'_, '_> {
     pub(super) fn is_loan(&self, place: &Place) -> bool {
         let changes = self.locals.assigned(place.root).is_some()
             || self.locals[place.root.index()].mode == Mode::RefMut
-            || self.lenders.await_at(place.root);
+            || self.lenders.has_placeholder(place.root);
         let refers = |ty: &Option<Ty>| matches!(ty, Some(Ty::Ref(_, false)));
         changes && self.rustc_along(place).iter().any(refers)
     }

@@ -185,7 +185,7 @@ impl Lowering<'_, '_> {
         }
         let lengths = match self.type_of(place.root, &place.steps) {
             // The place of a reference was checked where the reference was chosen.
-            _ if self.lenders.await_at(place.root) => Vec::new(),
+            _ if self.lenders.has_placeholder(place.root) => Vec::new(),
             Type::Array { len, .. } => vec![len],
             Type::Matrix { rows, cols, .. } => match last {
                 Step::Element(..) => vec![rows, cols],

@@ -24,7 +24,7 @@ use super::{callable, kept, kept_options, natives};
 
 /// Programs of a run that is not full: one is three to thirteen seconds of processor.
 const SOME: usize = 1;
-/// Most statements of such a program, with the functions that it calls. Larger ones take a minute.
+/// Most statements of such a program, with the functions that it calls. Larger ones are left to a full run.
 const MOST: usize = 300;
 /// Seconds that a program may take, on a machine that has other work.
 const PATIENCE: &str = "600";
