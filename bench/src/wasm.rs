@@ -27,7 +27,7 @@ const NATIVE: &str = "armv7-unknown-linux-gnueabihf";
 const RUN_TIME: &str = "/usr/share/wabt/wasm2c";
 
 /// Bytes of a page of WebAssembly's memory.
-const PAGE: u64 = 65_536;
+pub const PAGE: u64 = 65_536;
 
 /// Flags for the size of the reachable code.
 const SECTIONS: [&str; 2] = ["-ffunction-sections", "-fdata-sections"];
@@ -149,8 +149,10 @@ fn contended(
     Ok(Row { contender, height: every_second(1), onboard: every_second(0), text, memory: 0 })
 }
 
-/// Returns the bytes of the first memory that a module of WebAssembly declares: the least number of pages, in section 5.
-fn linear_memory(module: &[u8]) -> Option<u64> {
+/// Returns the bytes of the first memory that a module of WebAssembly declares, from the least number of pages in section 5.
+///
+/// None if it declares no memory, or is no such module.
+pub fn linear_memory(module: &[u8]) -> Option<u64> {
     const MEMORIES: u8 = 5;
     // The magic number and the version come first.
     let mut rest = module.get(8..)?;
@@ -225,19 +227,4 @@ pub fn json(rows: &[Row]) -> Value {
         "flags": ARM.command().get_args().map(|a| a.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" "),
         "contenders": rows,
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_memory_of_a_module_is_read() {
-        let head = b"\0asm\x01\0\0\0";
-        let of = |sections: &[u8]| linear_memory(&[head, sections].concat());
-        // A section of types, then a memory of 2 pages; one of 130 pages at most 200.
-        assert_eq!(of(&[1, 2, 9, 9, 5, 3, 1, 0, 2]), Some(2 * PAGE));
-        assert_eq!(of(&[5, 6, 1, 1, 0x82, 1, 0xC8, 1]), Some(130 * PAGE));
-        assert_eq!([of(&[]), of(&[5, 1, 0]), of(&[1, 9, 0]), linear_memory(b"\0as")], [None; 4]);
-    }
 }

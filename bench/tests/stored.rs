@@ -10,6 +10,7 @@ use bench::kernels::machine::{A9, HOST_V3};
 use bench::kernels::reasons::{Reasons, unsettled};
 use bench::kernels::results::Results;
 use bench::kernels::{plot, report, stored};
+use bench::wasm::{PAGE, linear_memory};
 use bench::{dsp, ekf, gradient, peers, qp};
 use bessemer_codegen::estimate;
 use serde_json::Value;
@@ -205,4 +206,15 @@ fn a_case_that_is_newly_above_its_limit_is_seen() {
 fn a_reason_that_is_needed_no_more_is_seen() {
     let seen = unsettled_with("product_f32_6", 0);
     assert_eq!(seen, ["product_f32_6 on a9 beside eigen: listed, and not above its limit"]);
+}
+
+/// The report of WebAssembly states the linear memory.
+#[test]
+fn the_memory_of_a_module_is_read() {
+    let head = b"\0asm\x01\0\0\0";
+    let of = |sections: &[u8]| linear_memory(&[head, sections].concat());
+    // A section of types, then a memory of 2 pages; one of 130 pages at most 200.
+    assert_eq!(of(&[1, 2, 9, 9, 5, 3, 1, 0, 2]), Some(2 * PAGE));
+    assert_eq!(of(&[5, 6, 1, 1, 0x82, 1, 0xC8, 1]), Some(130 * PAGE));
+    assert_eq!([of(&[]), of(&[5, 1, 0]), of(&[1, 9, 0]), linear_memory(b"\0as")], [None; 4]);
 }
