@@ -140,6 +140,14 @@ const uint64_t POWERS_OF_TWO[128][2] = {
     {UINT64_C(0x3C77893B4D91CD9C), UINT64_C(0x3FEFE7C1819E90D8)},
     {UINT64_C(0x3C5305C14160CC89), UINT64_C(0x3FEFF3C22B8F71F1)}
 };
+const double TUNING_HEXACOPTER_LARGEST_VALUES[20] = {
+    40.0, 4.0, 16.0, 5.0, 1.5, 1.0, 5.0, 1.5, 1.0, 0.5, 0.3, -0.1, -0.04, -0.1, -0.04, 0.8, 0.5,
+    0.5, 0.4, 2.0
+};
+const double TUNING_HEXACOPTER_LEAST_VALUES[20] = {
+    4.0, 0.0, 2.0, 0.5, 0.0, 0.1, 0.5, 0.0, 0.1, 0.03, 0.03, -0.4, -0.3, -0.4, -0.3, 0.0, -0.5, 0.1,
+    0.1, 0.0
+};
 const double TUNING_LARGEST_VALUES[20] = {
     3.0, 0.2, 0.8, 0.02, 0.02, 0.005, 0.025, 0.02, 0.004, 0.01, 0.0025, -0.1, -0.04, -0.1, -0.04,
     0.8, 0.05, 0.5, 0.4, 2.0

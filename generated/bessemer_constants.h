@@ -84,10 +84,16 @@ static const uint8_t SENDER_RECORD = 0x40U;
 /** Kind of a packet with the state of the link. */
 static const uint8_t SENDER_STATUS = 0x41U;
 
-/** Largest value of each parameter. */
+/** Largest value of each parameter of the hexacopter. */
+extern const double TUNING_HEXACOPTER_LARGEST_VALUES[20];
+
+/** Least value of each parameter of the hexacopter. */
+extern const double TUNING_HEXACOPTER_LEAST_VALUES[20];
+
+/** Largest value of each parameter of the Mambo. */
 extern const double TUNING_LARGEST_VALUES[20];
 
-/** Least value of each parameter. */
+/** Least value of each parameter of the Mambo. */
 extern const double TUNING_LEAST_VALUES[20];
 
 #ifdef __cplusplus

@@ -80,6 +80,18 @@ void settings_mambo(settings_t *settings)
     settings->space = new_space;
 }
 
+void settings_hexacopter(parameters_t *BESSEMER_RESTRICT work_parameters,
+    mixer_t *BESSEMER_RESTRICT work_mixer, settings_t *BESSEMER_RESTRICT settings)
+{
+    airframe_t airframe;
+    airframe_hexacopter(&airframe);
+    parameters_t *const parameters = work_parameters;
+    parameters_hexacopter(work_mixer, parameters);
+    settings_mambo(settings);
+    settings->airframe = airframe;
+    settings->parameters = *parameters;
+}
+
 void onboard_init(onboard_t *self)
 {
     clock_monitor_init(&self->clock);

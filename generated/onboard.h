@@ -28,6 +28,7 @@
 #include "feed_forward.h"
 #include "gate.h"
 #include "logger.h"
+#include "mixer.h"
 #include "packet.h"
 #include "parameters.h"
 #include "receiver.h"
@@ -139,6 +140,13 @@ typedef union {
 
 /** Returns the settings of the Mambo in a room. */
 void settings_mambo(settings_t *settings);
+
+/**
+ * Returns the settings of the hexacopter in a room.
+ * `work_parameters`, `work_mixer` are scratch memory; their contents mean nothing between calls.
+ */
+void settings_hexacopter(parameters_t *BESSEMER_RESTRICT work_parameters,
+    mixer_t *BESSEMER_RESTRICT work_mixer, settings_t *BESSEMER_RESTRICT settings);
 
 /** Sets the initial state; call it before anything else. */
 void onboard_init(onboard_t *self);

@@ -20,6 +20,9 @@
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
+/** Largest number of motors of a small quadcopter, whose parameters have ranges of their own. */
+static const uint64_t SMALL_MOTORS = UINT64_C(4);
+
 static void settings_take_gains(settings_t *BESSEMER_RESTRICT self,
     const double all[TUNING_PARAMETER_COUNT]);
 static candidate_t tuning_candidate(double number);
@@ -81,7 +84,20 @@ bool settings_set(settings_t *self, uint8_t number, double value, bool flying)
     if (n >= TUNING_PARAMETER_COUNT || (flying && n >= TUNING_FIRST_GROUND_ONLY)) {
         return false;
     }
-    const bool good = value >= TUNING_LEAST_VALUES[n] && value <= TUNING_LARGEST_VALUES[n];
+    const bool small = self->airframe.motors <= SMALL_MOTORS;
+    double least;
+    if (small) {
+        least = TUNING_LEAST_VALUES[n];
+    } else {
+        least = TUNING_HEXACOPTER_LEAST_VALUES[n];
+    }
+    double most;
+    if (small) {
+        most = TUNING_LARGEST_VALUES[n];
+    } else {
+        most = TUNING_HEXACOPTER_LARGEST_VALUES[n];
+    }
+    const bool good = value >= least && value <= most;
     if (!good) {
         return false;
     }

@@ -17,15 +17,21 @@
 /** STOP of models::receiver. */
 #define KIND_STOP 9U
 
-void computer_begin(computer_t *computer, const siphash_key_t *key)
+void computer_begin(computer_t *computer, const siphash_key_t *key, aircraft_t aircraft)
 {
+    parameters_t parameters;
+    mixer_t mixer;
     memset(computer, 0, sizeof *computer);
     computer->ground.key = *key;
     gate_init(&computer->ground.gate);
     onboard_init(&computer->image.onboard);
     /* Disarmed: after a start, and after one in flight, the motors wait for somebody who arms them. */
     reference_generator_end(&computer->image.onboard.reference);
-    settings_mambo(&computer->image.settings);
+    if (aircraft == AIRCRAFT_F550) {
+        settings_hexacopter(&parameters, &mixer, &computer->image.settings);
+    } else {
+        settings_mambo(&computer->image.settings);
+    }
 }
 
 /** Puts a packet at the end of those that wait. One that stops the motors comes first: it makes the others moot. */

@@ -60,8 +60,14 @@ typedef struct {
     packet_t downlink;
 } computer_t;
 
-/** Puts the software into its initial state; the key may be unset. */
-void computer_begin(computer_t *computer, const siphash_key_t *key);
+/** The aircraft that the software can fly: `sim::aircraft` has the same numbers. */
+typedef enum {
+    AIRCRAFT_MAMBO = 0,
+    AIRCRAFT_F550 = 1
+} aircraft_t;
+
+/** Puts the software into its initial state, for an aircraft; the key may be unset. */
+void computer_begin(computer_t *computer, const siphash_key_t *key, aircraft_t aircraft);
 
 /** Takes a datagram from the ground; `station` tells its sender from others. */
 void computer_hear(computer_t *computer, uint64_t station, const uint8_t *bytes, size_t length);

@@ -5,19 +5,21 @@
 //! the answer; in real time it waits no longer than the period. Without an answer the last command remains, and the
 //! period counts as missed. Knows nothing of the ground station.
 
+use crate::mocap::{Receiver, Server};
 use crate::wait;
 use bessemer::Plain;
 use bessemer_legs::{value, words};
+use models::calibration::Vicon;
 use models::gate::Refused;
 use models::packet::Packet;
-use models::{Airframe, Inputs, Outputs, Settings};
+use models::{Inputs, Outputs};
 use serde::{Deserialize, Serialize};
+use sim::Aircraft;
 use sim::air::Air;
 use sim::battery::Battery;
 use sim::noise::{Purpose, Stream};
 use sim::plant::State;
 use sim::sensors::{Senses, Stuck};
-use sim::vehicle::Vehicle;
 use sim::voyage::Moment;
 use sim::world::World;
 use std::collections::VecDeque;
@@ -33,6 +35,9 @@ const FAILSAFE: u64 = 20;
 
 /// Timeout of a running software in virtual time: it only ends a wait that would never end.
 const ANSWER_TIMEOUT: Duration = Duration::from_secs(60);
+
+/// Number of periods between two frames of the simulated motion capture.
+const CAPTURE_DECIMATION: u64 = 2;
 
 /// Period of checks that the software is still running.
 const LOOK: Duration = Duration::from_millis(500);
@@ -132,6 +137,13 @@ pub struct Timing {
 
 /// The simulated aircraft, with the sockets to its computer.
 pub struct Bench {
+    aircraft: Aircraft,
+    /// Address at which the computer receives commands.
+    host: Ipv4Addr,
+    /// Motion capture in place of the simulated one.
+    pub capture: Option<Receiver>,
+    /// Server to which the simulated motion capture goes.
+    pub stream: Option<Server>,
     world: World,
     battery: Battery,
     bus: UdpSocket,
@@ -148,13 +160,14 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// A bench with the Mambo on the ground; the seed determines all noise.
+    /// A bench with an aircraft on the ground; the seed determines all noise. `host` is the address at which the
+    /// computer receives commands.
     ///
     /// # Errors
     ///
     /// There is no port.
-    pub fn new(seed: u64) -> io::Result<Self> {
-        let period = Settings::mambo().parameters.period;
+    pub fn new(aircraft: Aircraft, host: Ipv4Addr, seed: u64) -> io::Result<Self> {
+        let period = aircraft.settings().parameters.period;
         let mut dice = Stream::new(seed, Purpose::Dice);
         let mut about = |most: f64| dice.between(-most, most);
         let start = State {
@@ -162,15 +175,19 @@ impl Bench {
             angles: nalgebra::Vector3::new(about(0.01), about(0.01), about(0.05)),
             ..State::default()
         };
-        let air = Air { gusts: 0.001, memory: 0.5, ..Air::default() };
-        let world = World::new(&Airframe::mambo(), 0.015, start, period, seed).with(
+        let air = Air { gusts: aircraft.gusts(), memory: 0.5, ..Air::default() };
+        let world = World::new(&aircraft.airframe(), aircraft.lag(), start, period, seed).with(
             air,
             &Senses::usual(),
             seed,
         );
         Ok(Self {
+            aircraft,
+            host,
+            capture: None,
+            stream: None,
             world,
-            battery: full(),
+            battery: aircraft.battery(),
             bus: UdpSocket::bind((Ipv4Addr::LOCALHOST, 0))?,
             computer: None,
             link: None,
@@ -217,9 +234,9 @@ impl Bench {
         &self.world.state
     }
 
-    /// Returns the number of motors.
-    pub fn motors(&self) -> usize {
-        Airframe::mambo().motors
+    /// Returns the aircraft.
+    pub fn aircraft(&self) -> Aircraft {
+        self.aircraft
     }
 
     /// Returns the state of the battery.
@@ -244,7 +261,7 @@ impl Bench {
             }
             Injection::Back => {
                 self.world.state = self.start;
-                self.battery = full();
+                self.battery = self.aircraft.battery();
             }
         }
     }
@@ -261,7 +278,8 @@ impl Bench {
         let number = self.timing.periods;
         self.timing.periods += 1;
         let time = number as f64 * self.period;
-        let readings = self.world.sense(number as usize, time, self.stuck);
+        let mut readings = self.world.sense(number as usize, time, self.stuck);
+        readings.vicon = self.captured(number, time, &readings.vicon, deadline.is_some());
         let clock = 1_000_000 + number * (1e6 * self.period).round() as u64;
         let begun = Instant::now();
         if let Some(computer) = self.computer {
@@ -325,6 +343,25 @@ impl Bench {
         Ok(Period { number, count, moment, addressee, late })
     }
 
+    /// Returns the reading of motion capture in a period, from the simulated one. In virtual time a frame of the own
+    /// server belongs to its period, and is awaited.
+    fn captured(&mut self, number: u64, time: f64, simulated: &Vicon, real: bool) -> Vicon {
+        let mut due = None;
+        if let Some(server) = self.stream.as_mut()
+            && (simulated.fresh || number.is_multiple_of(CAPTURE_DECIMATION))
+        {
+            server.send(time, simulated);
+            due = Some(server.address());
+        }
+        let Some(receiver) = &mut self.capture else { return *simulated };
+        let awaits = !real && due == Some(receiver.server());
+        let seen = match awaits {
+            true => receiver.await_next(Instant::now() + ANSWER_TIMEOUT),
+            false => receiver.take(),
+        };
+        if self.world.sensors.blind { Vicon::default() } else { seen }
+    }
+
     /// Returns true if the software has answered lately.
     pub fn is_answered(&self) -> bool {
         self.computer.is_some() && self.silent < FAILSAFE
@@ -368,7 +405,7 @@ impl Bench {
         };
         if let Some([low, high]) = buffer[..length].strip_prefix(b"ready") {
             self.computer = Some(from);
-            self.link = Some((from.ip(), u16::from_le_bytes([*low, *high])).into());
+            self.link = Some((self.host, u16::from_le_bytes([*low, *high])).into());
             return Ok(true);
         }
         if let Some(answer) = Answer::read(&buffer[..length]) {
@@ -428,11 +465,6 @@ impl Answer {
             outputs: value(outputs),
         })
     }
-}
-
-/// A full battery of the Mambo.
-fn full() -> Battery {
-    Battery::new(&Vehicle::mambo())
 }
 
 /// Words as bytes, least significant byte first.

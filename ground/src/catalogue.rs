@@ -2,9 +2,12 @@
 //!
 //! The numbers are those of the models; the names are only for people.
 
-use models::Settings;
-use models::tuning::{FIRST_GROUND_ONLY, LARGEST_VALUES, LEAST_VALUES};
+use models::tuning::{
+    FIRST_GROUND_ONLY, HEXACOPTER_LARGEST_VALUES, HEXACOPTER_LEAST_VALUES, LARGEST_VALUES,
+    LEAST_VALUES, PARAMETER_COUNT,
+};
 use serde::Serialize;
+use sim::Aircraft;
 
 /// A signal that the onboard logger can record.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -68,12 +71,27 @@ pub const AGES: [u8; 2] = [48, 49];
 /// Number of the signal without a meaning, which fills a selection.
 pub const UNUSED: u8 = 63;
 
-/// Signals shown on the page: state, target, closed loop and feed-forward of four motors, variances, and the ages of
-/// Vicon and height.
+/// Signals shown on the page for an aircraft of four motors.
+///
+/// These are state, target, closed loop and feed-forward of each motor, variances, and the ages of Vicon and height.
 pub const PAGE_SIGNALS: [u8; 36] = [
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 26, 27, 28, 29,
     34, 35, 48, 49, 51, 52, 53, 54, 55, 56,
 ];
+
+/// Signals shown on the page for an aircraft of six motors, whose only variance is the height's.
+const HEXACOPTER_PAGE_SIGNALS: [u8; 36] = [
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 26, 27,
+    28, 29, 30, 31, 34, 35, 48, 49, 53, UNUSED,
+];
+
+/// Returns the signals shown on the page for an aircraft.
+pub fn page_signals(aircraft: Aircraft) -> [u8; 36] {
+    match aircraft {
+        Aircraft::Mambo => PAGE_SIGNALS,
+        Aircraft::F550 => HEXACOPTER_PAGE_SIGNALS,
+    }
+}
 
 /// A parameter that the ground station can change.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -97,7 +115,7 @@ pub struct Parameter {
 }
 
 /// Name and unit of each parameter, in the order of `models::tuning`.
-const NAMED: [(&str, &str); models::tuning::PARAMETER_COUNT] = [
+const NAMED: [(&str, &str); PARAMETER_COUNT] = [
     ("height P", "N/m"),
     ("height I", "N/(m·s)"),
     ("height D", "N·s/m"),
@@ -124,17 +142,25 @@ const NAMED: [(&str, &str); models::tuning::PARAMETER_COUNT] = [
 const CANDIDATE: &str = "candidate";
 const CANDIDATES: [&str; 3] = ["cascade", "as printed", "geometric"];
 
-/// Every parameter.
-pub fn parameters() -> Vec<Parameter> {
-    let settings = Settings::mambo();
+/// Returns the least and the largest value of each parameter of an aircraft.
+fn ranges(aircraft: Aircraft) -> [&'static [f64; PARAMETER_COUNT]; 2] {
+    match aircraft {
+        Aircraft::Mambo => [&LEAST_VALUES, &LARGEST_VALUES],
+        Aircraft::F550 => [&HEXACOPTER_LEAST_VALUES, &HEXACOPTER_LARGEST_VALUES],
+    }
+}
+
+/// Returns every parameter of an aircraft.
+pub fn parameters(aircraft: Aircraft) -> Vec<Parameter> {
+    let (settings, [least, largest]) = (aircraft.settings(), ranges(aircraft));
     let named = NAMED.iter().enumerate();
     named
         .map(|(n, (name, unit))| Parameter {
             number: n as u8,
             name,
             unit,
-            least: LEAST_VALUES[n],
-            most: LARGEST_VALUES[n],
+            least: least[n],
+            most: largest[n],
             initial: settings.parameter(n as u8),
             in_flight: n < FIRST_GROUND_ONLY,
             choices: if *name == CANDIDATE { &CANDIDATES } else { &[] },

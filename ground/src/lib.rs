@@ -5,6 +5,7 @@
 //! | [`program`] | the emitted C around its sockets: compiled, started, killed |
 //! | [`relay`] | the same on a board, at the other end of a serial line |
 //! | [`bench`] | the aircraft in real or virtual time, with that program as its computer |
+//! | [`mocap`] | a real motion-capture system in place of the simulated one, and the simulated aircraft as one |
 //! | [`radio`] | a link that loses, doubles, delays and reorders |
 //! | [`key`] | the seal of those who may command |
 //! | [`station`] | the other end of the link: orders up, news down |
@@ -29,6 +30,7 @@ pub mod key;
 pub mod limited;
 pub mod live;
 pub mod messages;
+pub mod mocap;
 pub mod page;
 pub mod player;
 pub mod priority;

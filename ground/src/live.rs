@@ -14,10 +14,11 @@ use crate::refusal::{self, Situation};
 use crate::server::Hub;
 use crate::testbed::{Error, Testbed, period};
 use crate::tools::Tool;
+use models::Alarm;
 use models::receiver::Sticks;
 use models::trajectory::SetPoint;
-use models::{Alarm, Settings};
 use nalgebra::{Vector2, Vector3};
+use sim::Aircraft;
 use sim::ground_station::{News, Order, Record};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -59,11 +60,14 @@ pub fn queue() -> (SyncSender<Ask>, Receiver<Ask>) {
 }
 
 /// Returns the first message to a page.
-pub fn hello(authenticated: bool) -> Tell {
-    let space = Settings::mambo().space;
+pub fn hello(aircraft: Aircraft, authenticated: bool) -> Tell {
+    let space = aircraft.settings().space;
     Tell::Hello {
         signals: SIGNALS,
-        parameters: parameters(),
+        parameters: parameters(aircraft),
+        motors: aircraft.airframe().motors,
+        fastest: aircraft.fastest(),
+        wind: aircraft.wind(),
         // By number; an aircraft that is ready is armed, and after a flight it is not.
         phases: ["armed", "take off", "flight", "landing", "disarmed", "hold"]
             .map(String::from)
@@ -139,7 +143,12 @@ impl Live {
     pub fn record(&mut self, path: PathBuf) -> Result<(), Unwritable> {
         self.save();
         let image = self.testbed.image().ok().flatten();
-        self.recorder = Some(Recorder::start(path, image, self.testbed.waits())?);
+        self.recorder = Some(Recorder::start(
+            path,
+            self.testbed.bench.aircraft(),
+            image,
+            self.testbed.waits(),
+        )?);
         Ok(())
     }
 
@@ -210,7 +219,7 @@ impl Live {
             arming: station.is_arming(),
             planned: self.planned,
             silence: station.silence(self.testbed.now()),
-            motors: self.testbed.bench.motors(),
+            aircraft: self.testbed.bench.aircraft(),
             height: station.received(catalogue::PLACE).map(|[_, _, height]| height),
             speed: station.received(catalogue::VELOCITY).map(|it| Vector3::from(it).norm()),
             ages: station.received(catalogue::AGES),

@@ -6,10 +6,12 @@ use ground::live::{self, Live};
 use ground::player::Player;
 use ground::program::{Program, Target};
 use ground::radio::Quality;
+use ground::recorded::Recorded;
 use ground::server::{self, Hub};
 use ground::testbed::{Pace, Testbed, Wanted};
-use ground::{ending, recorder, replay, testbed};
-use ground_args::{Fly, Machine, Replay, Task};
+use ground::{ending, mocap, recorder, replay, testbed};
+use ground_args::{Airframe, Axis, Fly, Machine, Replay, Task};
+use sim::Aircraft;
 use std::error::Error;
 use std::io::Write as _;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -71,18 +73,39 @@ fn fly(wanted: &Fly) -> Result<bool, Box<dyn Error>> {
         reordering: wanted.reorder,
         delay: f64::from(wanted.delay) / 1000.0,
     };
+    let aircraft = flown(wanted.airframe);
     let testbed = Testbed::start(
         &program,
-        &Wanted { pace: Pace::Real, quality, key, other_key: None, seed: wanted.seed },
+        &Wanted {
+            aircraft,
+            link: wanted.link,
+            pace: Pace::Real,
+            quality,
+            key,
+            other_key: None,
+            mocap: wanted.mocap.map(|server| mocap::Source {
+                server,
+                body: wanted.body.clone(),
+                up: match wanted.up {
+                    Axis::Y => mocap::Up::Y,
+                    Axis::Z => mocap::Up::Z,
+                },
+            }),
+            natnet: wanted.natnet,
+            seed: wanted.seed,
+        },
     )?;
 
     let (asked, asks) = live::queue();
-    let hub = Hub::new(asked, &live::hello(authenticated))?;
+    let hub = Hub::new(asked, &live::hello(aircraft, authenticated))?;
     let wish = SocketAddr::new(wanted.bind, wanted.port);
     let address = server::start(wish, hub.clone())
         .map_err(|error| format!("`{wish}`: {error}; `--port 0` takes a port that is free"))?;
     let page = format!("http://{address}/#token={}", hub.token());
     say!("{page}");
+    if let Some(server) = &testbed.bench.stream {
+        say!("natnet: udp at {}, body `{}`, y upwards", server.address(), mocap::BODY);
+    }
     if !authenticated {
         warn!("commands are not sealed: `--key FILE` seals them");
     }
@@ -173,8 +196,10 @@ fn unbuilt(_: &mut Live, tool: &str, address: SocketAddr) -> Box<dyn Error> {
 /// Shows a recording until the program is ended.
 fn play(wanted: &Replay) -> Result<(), Box<dyn Error>> {
     let (asked, asks) = live::queue();
-    let hub = Hub::new(asked, &live::hello(false))?;
-    let mut player = Player::open(&wanted.file, hub.clone(), asks)?;
+    let recorded = Recorded::read(&wanted.file)?;
+    let hub = Hub::new(asked, &live::hello(recorded.aircraft(&wanted.file)?, false))?;
+    let mut player = Player::of(&recorded, &wanted.file, hub.clone(), asks)?;
+    drop(recorded);
     report_missing(player.missing, player.playing().to);
     let wish = SocketAddr::new(Ipv4Addr::LOCALHOST.into(), wanted.port);
     let address = server::start(wish, hub.clone())
@@ -216,6 +241,13 @@ fn report_missing(missing: Option<usize>, until: f64) {
         warn!(
             "the recording was cut off: it ends at {until:.3} s, and {missing} bytes at its end are no whole chunk"
         );
+    }
+}
+
+fn flown(airframe: Airframe) -> Aircraft {
+    match airframe {
+        Airframe::Mambo => Aircraft::Mambo,
+        Airframe::F550 => Aircraft::F550,
     }
 }
 

@@ -164,6 +164,12 @@ pub enum Tell {
         signals: &'static [Signal],
         /// All parameters.
         parameters: Vec<Parameter>,
+        /// Number of motors.
+        motors: usize,
+        /// Largest speed of a motor, rad/s.
+        fastest: f64,
+        /// Largest force of the wind that the page offers, N.
+        wind: f64,
         /// Names of the flight's phases, by number.
         phases: Vec<String>,
         /// Names of the alarms, by number.

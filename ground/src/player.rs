@@ -51,20 +51,34 @@ pub struct Player {
 }
 
 impl Player {
-    /// Opens a recording; requests of pages arrive through `asked`.
+    /// Opens a recording; requests of pages arrive through `requests`.
     ///
     /// # Errors
     ///
     /// The recording cannot be read, or has nothing to show.
-    pub fn open(path: &Path, hub: Arc<Hub>, asked: Receiver<Ask>) -> Result<Self, Error> {
-        let Read { frames, events, missing } = read(path)?;
+    pub fn open(path: &Path, hub: Arc<Hub>, requests: Receiver<Ask>) -> Result<Self, Error> {
+        Self::of(&Recorded::read(path)?, path, hub, requests)
+    }
+
+    /// Opens a recording that was read from a file.
+    ///
+    /// # Errors
+    ///
+    /// The recording is damaged, or has nothing to show.
+    pub fn of(
+        recorded: &Recorded,
+        path: &Path,
+        hub: Arc<Hub>,
+        requests: Receiver<Ask>,
+    ) -> Result<Self, Error> {
+        let Read { frames, events, missing } = read(recorded, path)?;
         events.iter().for_each(|event| hub.log(event));
         let nothing = || match missing {
             Some(_) => Error::Cut { path: path.to_owned() },
             None => Error::Empty { path: path.to_owned() },
         };
         let time = frames.first().ok_or_else(nothing)?.time;
-        Ok(Self { frames, missing, hub, asked, time, speed: 1.0, next: 0, untold: TOLD })
+        Ok(Self { frames, missing, hub, asked: requests, time, speed: 1.0, next: 0, untold: TOLD })
     }
 
     /// Returns the time in the recording, s, and the speed.
@@ -120,8 +134,7 @@ struct Read {
 }
 
 /// Reads a recording.
-fn read(path: &Path) -> Result<Read, Error> {
-    let recorded = Recorded::read(path)?;
+fn read(recorded: &Recorded, path: &Path) -> Result<Read, Error> {
     let broken = |source| Error::Mcap { path: path.to_owned(), source };
     let (mut frames, mut events, mut truth) = (Vec::new(), Vec::new(), [f32::NAN; 6]);
     for message in recorded.messages().map_err(broken)? {

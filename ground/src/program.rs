@@ -9,7 +9,9 @@ use crate::relay::Relay;
 use bessemer_backend::c::CFile;
 use bessemer_legs::firmware::{Firmware, Machine};
 use bessemer_legs::toolchain::{ARM, GCC, Missing, Toolchain, ZYNQ};
+use sim::Aircraft;
 use std::io::Write;
+use std::net::{Ipv4Addr, SocketAddrV4};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
@@ -55,6 +57,27 @@ pub enum Error {
         /// An error of the system.
         source: std::io::Error,
     },
+}
+
+/// Arguments with which the program starts.
+#[derive(Clone, Copy, Debug)]
+pub struct Boot<'a> {
+    /// Port of the bus, on this machine.
+    pub bus: u16,
+    /// Key of those who may command.
+    pub key: Option<&'a Key>,
+    /// Aircraft to fly.
+    pub aircraft: Aircraft,
+    /// Address at which the program receives commands; port 0 for any free port.
+    pub link: SocketAddrV4,
+}
+
+impl Boot<'_> {
+    /// Returns the arguments for a bus alone: the Mambo, without a key, on loopback.
+    pub fn on(bus: u16) -> Self {
+        let link = SocketAddrV4::new(Ipv4Addr::LOCALHOST, 0);
+        Self { bus, key: None, aircraft: Aircraft::Mambo, link }
+    }
 }
 
 /// The compiled program.
@@ -114,22 +137,24 @@ impl Program {
         Ok(Self::Process { path, toolchain })
     }
 
-    /// Starts the program with the port of the bus and the key.
+    /// Starts the program.
     ///
     /// # Errors
     ///
     /// It does not start.
-    pub fn start(&self, bus: u16, key: Option<&Key>) -> Result<Running, Error> {
+    pub fn start(&self, boot: &Boot<'_>) -> Result<Running, Error> {
         match self {
             Self::Process { path, toolchain } => {
                 let mut command: Command = toolchain.runner(path);
-                command.arg(bus.to_string()).stdin(Stdio::piped());
+                let link = boot.link.to_string();
+                command.args(["-a", boot.aircraft.name(), "-l", &link, &boot.bus.to_string()]);
+                command.stdin(Stdio::piped());
                 // Ctrl-C at a terminal reaches the parent alone, which then ends the software.
                 #[cfg(unix)]
                 std::os::unix::process::CommandExt::process_group(&mut command, 0);
                 let failed = |source| Error::Start { program: path.display().to_string(), source };
                 let mut child = command.spawn().map_err(failed)?;
-                let line = key.map(Key::line).unwrap_or_default();
+                let line = boot.key.map(Key::line).unwrap_or_default();
                 let mut input = child.stdin.take();
                 let told = input.as_mut().map_or(Ok(()), |input| writeln!(input, "{line}"));
                 let running = Running { process: child.into(), relay: None, _input: input };
@@ -144,7 +169,7 @@ impl Program {
                 let started = firmware.start(ANSWER_TIMEOUT);
                 let (process, line) =
                     started.map_err(|error| failed(std::io::Error::other(error)))?;
-                let relay = Relay::start(line, bus, key).map_err(failed)?;
+                let relay = Relay::start(line, boot).map_err(failed)?;
                 Ok(Running { process, relay: Some(relay), _input: None })
             }
         }

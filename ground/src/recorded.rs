@@ -3,10 +3,12 @@
 //! If the program was killed or the disk was full, a file has no end, and its last chunk may be incomplete. The
 //! chunks before it are intact. Must not know the contents of the messages.
 
+use crate::recorder::AIRCRAFT;
 use crate::replay::Error;
 use mcap::read::ChunkReader;
 use mcap::records::{Record, op};
 use mcap::{MAGIC, MessageStream};
+use sim::Aircraft;
 use std::path::Path;
 
 /// Data-end record without a checksum: operation, length, content.
@@ -42,6 +44,21 @@ impl Recorded {
         bytes.truncate(whole);
         bytes.extend(DATA_END);
         Self { bytes, missing }
+    }
+
+    /// Returns the aircraft of the flight. Recordings of earlier versions, which do not name it, are of the Mambo.
+    ///
+    /// # Errors
+    ///
+    /// The file at `path` is damaged, or is a flight of an unknown aircraft.
+    pub fn aircraft(&self, path: &Path) -> Result<Aircraft, Error> {
+        let broken = |source| Error::Mcap { path: path.to_owned(), source };
+        let first = self.messages().and_then(|mut all| all.next().transpose()).map_err(broken)?;
+        let Some(name) = first.as_ref().and_then(|it| it.channel.metadata.get(AIRCRAFT)) else {
+            return Ok(Aircraft::Mambo);
+        };
+        let unknown = || Error::Aircraft { path: path.to_owned(), name: name.clone() };
+        Aircraft::named(name).ok_or_else(unknown)
     }
 
     /// Iterates over the messages in file order.

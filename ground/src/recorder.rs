@@ -11,6 +11,7 @@ use crate::messages::Recording;
 use crate::priority;
 use bessemer_legs::{value, words};
 use models::{Inputs, Outputs};
+use sim::Aircraft;
 use sim::recording::Writer;
 use sim::voyage::Moment;
 use std::collections::BTreeMap;
@@ -30,6 +31,9 @@ pub const EVENTS: &str = "/events";
 
 /// The topic of the software's memory.
 pub const IMAGE: &str = "/image";
+
+/// The key of the aircraft's name in the metadata of each topic.
+pub const AIRCRAFT: &str = "aircraft";
 
 /// Periods that may wait for the disk: five seconds.
 const WAITING: usize = 1000;
@@ -64,20 +68,25 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Starts to write a file. `image` is the memory of software that already runs. With `waits`, the caller waits
+    /// Starts to write a file about a flight of an aircraft. `image` is the memory of software that already runs. With `waits`, the caller waits
     /// for the disk.
     ///
     /// # Errors
     ///
     /// The file cannot be written.
-    pub fn start(path: PathBuf, image: Option<Vec<u8>>, waits: bool) -> Result<Self, Unwritable> {
+    pub fn start(
+        path: PathBuf,
+        aircraft: Aircraft,
+        image: Option<Vec<u8>>,
+        waits: bool,
+    ) -> Result<Self, Unwritable> {
         let file = created(&path)?;
         let (pages, waiting) = sync_channel(WAITING);
         let (error, broken) = (Arc::new(Mutex::new(None)), Arc::new(AtomicBool::new(false)));
         let (said, there, place) = (error.clone(), broken.clone(), path.clone());
         let writer = std::thread::spawn(move || {
             priority::lower();
-            if let Err(reason) = write(file, image.as_deref(), &waiting) {
+            if let Err(reason) = write(file, aircraft, image.as_deref(), &waiting) {
                 there.store(true, Ordering::Relaxed);
                 if let Ok(mut said) = said.lock() {
                     *said = Some(format!("`{}`: {}", place.display(), whole(reason.as_ref())));
@@ -182,11 +191,13 @@ fn whole(error: &dyn std::error::Error) -> String {
 /// Writes items from the queue until it is closed.
 fn write(
     file: File,
+    aircraft: Aircraft,
     image: Option<&[u8]>,
     pages: &Receiver<Page>,
 ) -> Result<(), Box<dyn std::error::Error>> {
     let file = BufWriter::new(file);
-    let about = BTreeMap::from([("flight".to_owned(), "live".to_owned())]);
+    let about = [("flight", "live"), (AIRCRAFT, aircraft.name())];
+    let about = BTreeMap::from(about.map(|(key, value)| (key.to_owned(), value.to_owned())));
     let mut writer = Writer::new(file, &about)?;
     writer.raw(STEPS, "words", "u64: steps since the software began, inputs, outputs")?;
     writer.raw(IMAGE, "image", "the memory of the program that /steps are of")?;

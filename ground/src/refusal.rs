@@ -12,9 +12,10 @@
 
 use crate::catalogue::{self, SIGNALS, UNUSED};
 use crate::messages::{Ask, Point};
+use models::Phase;
 use models::trajectory::{MAX_POINTS, Space};
-use models::{Phase, Settings};
 use serde::Serialize;
+use sim::Aircraft;
 use std::f64::consts::TAU;
 
 /// Largest number of signals in a selection.
@@ -43,8 +44,8 @@ pub struct Situation {
     pub planned: bool,
     /// Time since the last packet of the downlink, s; none before the first.
     pub silence: Option<f64>,
-    /// Number of motors.
-    pub motors: usize,
+    /// The aircraft.
+    pub aircraft: Aircraft,
     /// Height, m; none if it is not received.
     pub height: Option<f64>,
     /// Speed, m/s; none if it is not received.
@@ -129,9 +130,9 @@ pub fn reason(ask: &Ask, now: &Situation) -> Option<String> {
         Ask::Disarm if now.is_flying() => {
             Some("disarming refused: the aircraft is flying: land it, or press STOP".into())
         }
-        Ask::Fly { points } => trajectory(points, &Settings::mambo().space)
+        Ask::Fly { points } => trajectory(points, &now.aircraft.settings().space)
             .map(|why| format!("trajectory refused: {why}")),
-        Ask::Set { number, value } => parameter(*number, *value, now.is_flying()),
+        Ask::Set { number, value } => parameter(*number, *value, now),
         Ask::Choose { every, signals } => {
             selection(*every, signals).map(|why| format!("signals refused: {why}"))
         }
@@ -139,7 +140,7 @@ pub fn reason(ask: &Ask, now: &Situation) -> Option<String> {
             let numbers = [roll, pitch, yaw_rate, climb].iter().all(|it| it.is_finite());
             (!numbers).then(|| "sticks refused: a value is not a number".into())
         }
-        Ask::Inject { injection } => injection.refusal(now.motors),
+        Ask::Inject { injection } => injection.refusal(now.aircraft.airframe().motors),
         Ask::Link { loss, duplication, reordering, delay } => {
             let shares = [loss, duplication, reordering];
             let sound = shares.iter().all(|it| (0.0..=1.0).contains(*it));
@@ -203,8 +204,9 @@ fn rounded(limit: f64) -> f64 {
 }
 
 /// Returns the reason to refuse the value of a parameter.
-fn parameter(number: u8, value: f64, flying: bool) -> Option<String> {
-    let Some(it) = catalogue::parameters().into_iter().find(|it| it.number == number) else {
+fn parameter(number: u8, value: f64, now: &Situation) -> Option<String> {
+    let Some(it) = catalogue::parameters(now.aircraft).into_iter().find(|it| it.number == number)
+    else {
         return Some(format!("parameter refused: there is no parameter {number}"));
     };
     if !(it.least..=it.most).contains(&value) {
@@ -215,7 +217,7 @@ fn parameter(number: u8, value: f64, flying: bool) -> Option<String> {
             it.least, it.most
         ));
     }
-    let grounded = flying && !it.in_flight;
+    let grounded = now.is_flying() && !it.in_flight;
     grounded.then(|| format!("{} refused: it changes only on the ground", it.name))
 }
 
@@ -244,7 +246,7 @@ mod tests {
         arming: false,
         planned: true,
         silence: Some(0.0),
-        motors: 4,
+        aircraft: Aircraft::Mambo,
         height: Some(0.0),
         speed: Some(0.0),
         ages: Some([0.01, 0.0]),

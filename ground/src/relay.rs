@@ -10,6 +10,7 @@
 
 use crate::bench::station;
 use crate::key::Key;
+use crate::program::Boot;
 use bessemer_legs::lockstep::complaint;
 use bessemer_legs::serial::{self, Serial, packed, unpacked};
 use std::io::ErrorKind::{Interrupted, TimedOut, WouldBlock};
@@ -59,18 +60,14 @@ impl Relay {
     /// # Errors
     ///
     /// There are no ports.
-    pub fn start<L: Read + Write + Send + 'static>(
-        line: L,
-        bus: u16,
-        key: Option<&Key>,
-    ) -> io::Result<Self> {
-        let port = || UdpSocket::bind((Ipv4Addr::LOCALHOST, 0));
-        let (to_bus, ground) = (port()?, port()?);
-        to_bus.connect((Ipv4Addr::LOCALHOST, bus))?;
+    pub fn start<L: Read + Write + Send + 'static>(line: L, boot: &Boot<'_>) -> io::Result<Self> {
+        let to_bus = UdpSocket::bind((Ipv4Addr::LOCALHOST, 0))?;
+        let ground = UdpSocket::bind(boot.link)?;
+        to_bus.connect((Ipv4Addr::LOCALHOST, boot.bus))?;
         to_bus.set_read_timeout(Some(LOOK))?;
         ground.set_nonblocking(true)?;
-        let [low, high] = key.map(Key::halves).unwrap_or_default();
-        let begin = [kind::BEGIN, u64::from(key.is_some()), low, high];
+        let [low, high] = boot.key.map(Key::halves).unwrap_or_default();
+        let begin = [kind::BEGIN, u64::from(boot.key.is_some()), low, high, boot.aircraft.number()];
         let mut ends = Ends { board: Serial::new(line), bus: to_bus, ground };
         let wrong = Arc::new(OnceLock::new());
         let there = Arc::downgrade(&wrong);
@@ -172,6 +169,7 @@ fn address(number: u64) -> SocketAddrV4 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sim::Aircraft;
     use std::net::{Shutdown, SocketAddr};
     use std::os::unix::net::UnixStream;
     use std::time::Instant;
@@ -181,7 +179,8 @@ mod tests {
         let bus = UdpSocket::bind((Ipv4Addr::LOCALHOST, 0)).expect("a port");
         let (here, there) = UnixStream::pair().expect("a line");
         let port = bus.local_addr().expect("a port").port();
-        let relay = Relay::start(here, port, key).expect("ports");
+        let boot = Boot { key, aircraft: Aircraft::F550, ..Boot::on(port) };
+        let relay = Relay::start(here, &boot).expect("ports");
         (bus, relay, Serial::new(there))
     }
 
@@ -199,7 +198,7 @@ mod tests {
         let key = Key::new(*b"\x01\0\0\0\0\0\0\0\x02\0\0\0\0\0\0\0");
         let (bus, _relay, mut board) = started(Some(&key));
         board.send(&[kind::READY]).expect("a line");
-        assert_eq!(board.receive().expect("a frame"), [kind::BEGIN, 1, 1, 2]);
+        assert_eq!(board.receive().expect("a frame"), [kind::BEGIN, 1, 1, 2, 1]);
         let (ready, computer) = heard(&bus);
         let port = ready.strip_prefix(b"ready").expect("it says that it is there");
         let link = u16::from_le_bytes(port.try_into().expect("a port"));

@@ -3,12 +3,13 @@
 //! Needs no aircraft and no key: the recording has the packets that the gate accepted.
 
 use crate::bench::{Answer, Worked, bytes};
-use crate::program::{self, Program, Running};
+use crate::program::{self, Boot, Program, Running};
 use crate::recorded::Recorded;
 use crate::recorder::{IMAGE, STEPS, step};
 use crate::wait;
 use bessemer::Plain;
 use models::Outputs;
+use sim::Aircraft;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
 use std::path::{Path, PathBuf};
@@ -60,6 +61,16 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
+    /// The recording is of an aircraft that this version does not know.
+    #[error(
+        "`{path}` is a flight of `{name}`, which this version does not know: replay it with the version that recorded it"
+    )]
+    Aircraft {
+        /// The file.
+        path: PathBuf,
+        /// Name of the aircraft.
+        name: String,
+    },
     /// The software could not be started.
     #[error(transparent)]
     Program(#[from] program::Error),
@@ -101,6 +112,7 @@ pub struct Report {
 pub fn replay(program: &Program, path: &Path) -> Result<Report, Error> {
     let recorded = Recorded::read(path)?;
     let broken = |source| Error::Mcap { path: path.to_owned(), source };
+    let aircraft = recorded.aircraft(path)?;
     let mut report = Report { missing: recorded.missing, ..Report::default() };
     let mut runner: Option<Runner> = None;
     let mut image = None;
@@ -117,13 +129,13 @@ pub fn replay(program: &Program, path: &Path) -> Result<Report, Error> {
         };
         if recorded.count == 0 {
             // The software began anew.
-            runner = Some(Runner::start(program)?);
+            runner = Some(Runner::start(program, aircraft)?);
         }
         if runner.is_none() {
             let Some(image) = image.take() else {
                 return Err(Error::Middle { path: path.to_owned() });
             };
-            let begun = Runner::start(program)?;
+            let begun = Runner::start(program, aircraft)?;
             begun.send(&image)?;
             runner = Some(begun);
         }
@@ -160,10 +172,10 @@ struct Runner {
 }
 
 impl Runner {
-    fn start(program: &Program) -> Result<Self, Error> {
+    fn start(program: &Program, aircraft: Aircraft) -> Result<Self, Error> {
         let bus = UdpSocket::bind((Ipv4Addr::LOCALHOST, 0)).map_err(Error::Silent)?;
         let port = bus.local_addr().map_err(Error::Silent)?.port();
-        let running = program.start(port, None)?;
+        let running = program.start(&Boot { aircraft, ..Boot::on(port) })?;
         let (_, computer) = heard(&bus, &mut [0; 16])?;
         Ok(Self { bus, computer, _running: running })
     }

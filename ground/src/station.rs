@@ -67,6 +67,8 @@ pub struct Down {
 #[derive(Debug)]
 pub struct Station {
     key: Option<Key>,
+    /// Signals that are received unless others are selected.
+    page: [u8; 36],
     counter: u64,
     framer: Framer,
     collector: Collector,
@@ -90,10 +92,11 @@ pub struct Station {
 }
 
 impl Station {
-    /// Creates a ground station at a time, s.
-    pub fn new(key: Option<Key>, now: f64) -> Self {
+    /// Creates a ground station at a time, s, that receives the signals `page` unless others are selected.
+    pub fn new(key: Option<Key>, page: [u8; 36], now: f64) -> Self {
         let mut station = Self {
             key,
+            page,
             counter: 0,
             framer: Framer::default(),
             collector: Collector::default(),
@@ -119,7 +122,7 @@ impl Station {
     /// Opens the link to an aircraft that may not know this station: at the start, and after silence.
     fn meet(&mut self, now: f64) {
         self.order(now, Order::Hello);
-        self.choose(now, SIGNAL_DECIMATION, PAGE_SIGNALS);
+        self.choose(now, SIGNAL_DECIMATION, self.page);
         for number in 0..PARAMETER_COUNT {
             self.order(now, Order::Ask(number as u8));
         }

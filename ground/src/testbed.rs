@@ -5,16 +5,19 @@
 //! period.
 
 use crate::bench::{self, Bench, Injection, Period};
+use crate::catalogue::page_signals;
 use crate::key::Key;
+use crate::mocap::{self, Receiver, Server, Source};
 use crate::priority::{self, Awake};
-use crate::program::{self, Program, Running};
+use crate::program::{self, Boot, Program, Running};
 use crate::radio::{Counts, Quality, Way};
 use crate::station::Station;
 use crate::wait;
 use models::Settings;
+use sim::Aircraft;
 use sim::ground_station::News;
 use std::io;
-use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
+use std::net::{Ipv4Addr, SocketAddr, SocketAddrV4, UdpSocket};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 /// Timeout of a program's start, emulated on a busy machine.
@@ -35,6 +38,25 @@ pub enum Error {
     /// The onboard software does not run.
     #[error(transparent)]
     Program(#[from] program::Error),
+    /// The address of the link is of another machine.
+    #[error("the link at `{address}`: {source}; write an address of this machine")]
+    Link {
+        /// Address of the link.
+        address: Ipv4Addr,
+        /// An error of the system.
+        source: io::Error,
+    },
+    /// Motion capture cannot be received.
+    #[error(transparent)]
+    Mocap(#[from] mocap::Error),
+    /// There is no server for the simulated motion capture.
+    #[error("the NatNet server at `{address}`: {source}; port 0 takes a port that is free")]
+    Natnet {
+        /// Address of the server.
+        address: SocketAddrV4,
+        /// An error of the system.
+        source: io::Error,
+    },
     /// A socket failed.
     #[error("a socket of the testbed: {0}")]
     Socket(#[from] io::Error),
@@ -59,8 +81,12 @@ pub enum Pace {
 }
 
 /// Configuration of a testbed.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Wanted {
+    /// Aircraft to fly.
+    pub aircraft: Aircraft,
+    /// Address at which the onboard software receives commands; port 0 for any free port.
+    pub link: SocketAddrV4,
     /// Time base.
     pub pace: Pace,
     /// Quality of the link.
@@ -69,8 +95,28 @@ pub struct Wanted {
     pub key: Option<Key>,
     /// A different key for the software, for tests of the gate.
     pub other_key: Option<Key>,
+    /// Motion capture in place of the simulated one.
+    pub mocap: Option<Source>,
+    /// Address at which a NatNet server streams the simulated aircraft.
+    pub natnet: Option<SocketAddrV4>,
     /// Seed of all randomness.
     pub seed: u64,
+}
+
+impl Default for Wanted {
+    fn default() -> Self {
+        Self {
+            aircraft: Aircraft::default(),
+            link: SocketAddrV4::new(Ipv4Addr::LOCALHOST, 0),
+            pace: Pace::default(),
+            quality: Quality::default(),
+            key: None,
+            other_key: None,
+            mocap: None,
+            natnet: None,
+            seed: 0,
+        }
+    }
 }
 
 /// The testbed.
@@ -86,6 +132,8 @@ pub struct Testbed {
     program: Program,
     running: Running,
     key: Option<Key>,
+    /// Address at which the software receives commands.
+    wanted_link: SocketAddrV4,
     socket: UdpSocket,
     here: Option<u64>,
     pace: Pace,
@@ -105,24 +153,41 @@ impl Testbed {
     ///
     /// It does not start, or there are no ports.
     pub fn start(program: &Program, wanted: &Wanted) -> Result<Self, Error> {
-        let mut bench = Bench::new(wanted.seed)?;
-        let socket = UdpSocket::bind((Ipv4Addr::LOCALHOST, 0))?;
+        let host = match *wanted.link.ip() {
+            Ipv4Addr::UNSPECIFIED => Ipv4Addr::LOCALHOST,
+            host => host,
+        };
+        let mut bench = Bench::new(wanted.aircraft, host, wanted.seed)?;
+        if let Some(address) = wanted.natnet {
+            let failed = |source| Error::Natnet { address, source };
+            bench.stream = Some(Server::start(address).map_err(failed)?);
+        }
+        bench.capture = wanted.mocap.as_ref().map(Receiver::connect).transpose()?;
+        // Both ends of the link have the same address, since the aircraft's is of this machine.
+        let unreachable = |source| Error::Link { address: host, source };
+        let socket = UdpSocket::bind((host, 0)).map_err(unreachable)?;
         socket.set_nonblocking(true)?;
         let key = wanted.other_key.clone().or_else(|| wanted.key.clone());
-        let bus = bench.port()?;
+        let boot = Boot {
+            bus: bench.port()?,
+            key: key.as_ref(),
+            aircraft: wanted.aircraft,
+            link: wanted.link,
+        };
         let mut running = match wanted.pace {
-            Pace::Real => priority::raised(|| program.start(bus, key.as_ref()))?,
-            _ => program.start(bus, key.as_ref())?,
+            Pace::Real => priority::raised(|| program.start(&boot))?,
+            _ => program.start(&boot)?,
         };
         meet(&mut bench, &mut running)?;
         Ok(Self {
             bench,
-            station: Station::new(wanted.key.clone(), 0.0),
+            station: Station::new(wanted.key.clone(), page_signals(wanted.aircraft), 0.0),
             up: Way::new(wanted.quality, wanted.seed),
             down: Way::new(wanted.quality, wanted.seed.wrapping_add(1)),
             program: program.clone(),
             running,
             key,
+            wanted_link: wanted.link,
             here: bench::station(socket.local_addr()?),
             socket,
             pace: wanted.pace,
@@ -267,7 +332,12 @@ impl Testbed {
         self.bench.unplug();
         self.restarts += 1;
         self.station.anew();
-        self.running = self.program.start(self.bench.port()?, self.key.as_ref())?;
+        self.running = self.program.start(&Boot {
+            bus: self.bench.port()?,
+            key: self.key.as_ref(),
+            aircraft: self.bench.aircraft(),
+            link: self.wanted_link,
+        })?;
         // The aircraft does not wait for its computer; time does, unless it is real.
         if self.pace != Pace::Real {
             meet(&mut self.bench, &mut self.running)?;

@@ -76,7 +76,7 @@ fn foxglove_sees_what_a_recording_holds() {
     let testbed = Testbed::start(&program, &Wanted { pace: Pace::Virtual, ..Wanted::default() })
         .unwrap_or_else(|error| panic!("{error}"));
     let (asked, asks) = live::queue();
-    let hub = Hub::new(asked, &live::hello(false)).expect("random bytes");
+    let hub = Hub::new(asked, &live::hello(sim::Aircraft::Mambo, false)).expect("random bytes");
     let mut live = Live::new(testbed, hub, asks, std::env::temp_dir());
     let tool = Foxglove::start(([127, 0, 0, 1], 0).into()).expect("a port");
     let address = tool.address();

@@ -24,7 +24,7 @@ fn flown(seed: u64) -> (Live, Arc<Hub>) {
     let wanted = Wanted { pace: Pace::Patient, seed, ..Wanted::default() };
     let testbed = Testbed::start(&program, &wanted).unwrap_or_else(|error| panic!("{error}"));
     let (asked, asks) = live::queue();
-    let hub = Hub::new(asked, &live::hello(false)).expect("random bytes");
+    let hub = Hub::new(asked, &live::hello(sim::Aircraft::Mambo, false)).expect("random bytes");
     (Live::new(testbed, hub.clone(), asks, std::env::temp_dir()), hub)
 }
 

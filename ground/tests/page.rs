@@ -38,7 +38,7 @@ impl Running {
         let testbed = Testbed::start(&program, &Wanted { pace, ..Wanted::default() })
             .unwrap_or_else(|error| panic!("{error}"));
         let (asked, asks) = live::queue();
-        let hub = Hub::new(asked, &live::hello(false)).expect("random bytes");
+        let hub = Hub::new(asked, &live::hello(sim::Aircraft::Mambo, false)).expect("random bytes");
         let served = server::start(([127, 0, 0, 1], 0).into(), hub.clone()).expect("a port");
         let folder = tempfile::tempdir().expect("a folder");
         let address = format!("http://{served}/#token={}", hub.token());
@@ -355,14 +355,15 @@ fn played(path: &std::path::Path) -> String {
         .unwrap_or_else(|error| panic!("{error}"));
     let wanted = Wanted { pace: Pace::Virtual, ..Wanted::default() };
     let mut testbed = Testbed::start(&program, &wanted).unwrap_or_else(|error| panic!("{error}"));
-    let mut recorder = ground::recorder::Recorder::start(path.to_owned(), None, true)
-        .unwrap_or_else(|error| panic!("{error}"));
+    let mut recorder =
+        ground::recorder::Recorder::start(path.to_owned(), sim::Aircraft::Mambo, None, true)
+            .unwrap_or_else(|error| panic!("{error}"));
     let run = testbed.run_until(2.0, |done, _| recorder.take(done, Vec::new()));
     run.unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(recorder.finish().error, None);
 
     let (asked, asks) = live::queue();
-    let hub = Hub::new(asked, &live::hello(false)).expect("random bytes");
+    let hub = Hub::new(asked, &live::hello(sim::Aircraft::Mambo, false)).expect("random bytes");
     let mut player = Player::open(path, hub.clone(), asks).expect("a recording");
     let served = server::start(([127, 0, 0, 1], 0).into(), hub.clone()).expect("a port");
     // As the program does, until the test ends.

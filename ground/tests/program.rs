@@ -123,7 +123,7 @@ fn recorded(folder: &Path) -> PathBuf {
     let path = folder.join("flight.mcap");
     let wanted = Wanted { pace: Pace::Virtual, ..Wanted::default() };
     let mut testbed = Testbed::start(&built(), &wanted).unwrap_or_else(|error| panic!("{error}"));
-    let recorder = Recorder::start(path.clone(), None, true);
+    let recorder = Recorder::start(path.clone(), sim::Aircraft::Mambo, None, true);
     let mut recorder = recorder.unwrap_or_else(|error| panic!("{error}"));
     let run = testbed.run_until(6.0, |done, _| recorder.take(done, Vec::new()));
     run.unwrap_or_else(|error| panic!("{error}"));

@@ -77,7 +77,7 @@ fn the_reach_is_measured() {
     let testbed = Testbed::start(&program, &Wanted { pace: Pace::Real, ..Wanted::default() })
         .unwrap_or_else(|error| panic!("{error}"));
     let (asked, asks) = live::queue();
-    let hub = Hub::new(asked, &live::hello(false)).expect("random bytes");
+    let hub = Hub::new(asked, &live::hello(sim::Aircraft::Mambo, false)).expect("random bytes");
     let address = server::start(([127, 0, 0, 1], 0).into(), hub.clone()).expect("a port");
     let mut live = Live::new(testbed, hub.clone(), asks, std::env::temp_dir());
     let (sender, sent) = channel();

@@ -48,7 +48,7 @@ fn served() -> Served {
     let testbed = Testbed::start(&program, &Wanted { pace: Pace::Virtual, ..Wanted::default() })
         .unwrap_or_else(|error| panic!("{error}"));
     let (asked, asks) = live::queue();
-    let hub = Hub::new(asked, &live::hello(false)).expect("random bytes");
+    let hub = Hub::new(asked, &live::hello(sim::Aircraft::Mambo, false)).expect("random bytes");
     let address = server::start(([127, 0, 0, 1], 0).into(), hub.clone()).expect("a port");
     let folder = tempfile::tempdir().expect("a folder");
     let live = Live::new(testbed, hub.clone(), asks, folder.path().to_owned());
@@ -395,7 +395,7 @@ fn a_flight_that_is_over_is_shown_again() {
     served.live.save();
 
     let (asked, asks) = live::queue();
-    let hub = Hub::new(asked, &live::hello(false)).expect("random bytes");
+    let hub = Hub::new(asked, &live::hello(sim::Aircraft::Mambo, false)).expect("random bytes");
     let mut player = Player::open(&path, hub.clone(), asks).expect("a recording");
     let address = server::start(([127, 0, 0, 1], 0).into(), hub.clone()).expect("a port");
     let mut page = page_from(address, None).unwrap_or_else(|status| panic!("{status:?}"));
@@ -470,7 +470,7 @@ fn what_happens_to_the_aircraft_is_an_event_for_pages_and_recordings() {
     ];
     // The page that looked on, one that opens later, and one that looks at the recording.
     let (requests, queue) = live::queue();
-    let hub = Hub::new(requests, &live::hello(false)).expect("random bytes");
+    let hub = Hub::new(requests, &live::hello(sim::Aircraft::Mambo, false)).expect("random bytes");
     let _player = Player::open(&path, hub.clone(), queue).expect("a recording");
     let replayed = server::start(([127, 0, 0, 1], 0).into(), hub).expect("a port");
     let replayed = page_from(replayed, None).unwrap_or_else(|status| panic!("{status:?}"));

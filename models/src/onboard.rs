@@ -63,6 +63,15 @@ impl Settings {
             choice: Choice::usual(),
         }
     }
+
+    /// Returns the settings of the hexacopter in a room.
+    pub fn hexacopter() -> Settings {
+        Settings {
+            airframe: Airframe::hexacopter(),
+            parameters: Parameters::hexacopter(),
+            ..Settings::mambo()
+        }
+    }
 }
 
 /// Inputs of one period.

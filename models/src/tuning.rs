@@ -16,18 +16,36 @@ pub const PARAMETER_COUNT: usize = 20;
 #[data]
 pub const FIRST_GROUND_ONLY: usize = 18;
 
-/// Least value of each parameter.
+/// Largest number of motors of a small quadcopter, whose parameters have ranges of their own.
+#[data]
+const SMALL_MOTORS: usize = 4;
+
+/// Least value of each parameter of the Mambo.
 #[data]
 pub const LEAST_VALUES: [f64; PARAMETER_COUNT] = [
     0.5, 0.0, 0.1, 0.004, 0.0, 0.001, 0.005, 0.0, 0.001, 0.001, 0.0004, -0.4, -0.2, -0.4, -0.2,
     0.0, -0.05, 0.1, 0.1, 0.0,
 ];
 
-/// Largest value of each parameter.
+/// Largest value of each parameter of the Mambo.
 #[data]
 pub const LARGEST_VALUES: [f64; PARAMETER_COUNT] = [
     3.0, 0.2, 0.8, 0.02, 0.02, 0.005, 0.025, 0.02, 0.004, 0.01, 0.0025, -0.1, -0.04, -0.1, -0.04,
     0.8, 0.05, 0.5, 0.4, 2.0,
+];
+
+/// Least value of each parameter of the hexacopter.
+#[data]
+pub const HEXACOPTER_LEAST_VALUES: [f64; PARAMETER_COUNT] = [
+    4.0, 0.0, 2.0, 0.5, 0.0, 0.1, 0.5, 0.0, 0.1, 0.03, 0.03, -0.4, -0.3, -0.4, -0.3, 0.0, -0.5,
+    0.1, 0.1, 0.0,
+];
+
+/// Largest value of each parameter of the hexacopter.
+#[data]
+pub const HEXACOPTER_LARGEST_VALUES: [f64; PARAMETER_COUNT] = [
+    40.0, 4.0, 16.0, 5.0, 1.5, 1.0, 5.0, 1.5, 1.0, 0.5, 0.3, -0.1, -0.04, -0.1, -0.04, 0.8, 0.5,
+    0.5, 0.4, 2.0,
 ];
 
 /// Returns the present values. P, I and D of the height (N/m, N/(m·s), N·s/m), of roll and of pitch (N·m/rad …); P and
@@ -90,7 +108,10 @@ impl Settings {
         if n >= PARAMETER_COUNT || (flying && n >= FIRST_GROUND_ONLY) {
             return false;
         }
-        let good = value >= LEAST_VALUES[n] && value <= LARGEST_VALUES[n];
+        let small = self.airframe.motors <= SMALL_MOTORS;
+        let least = if small { LEAST_VALUES[n] } else { HEXACOPTER_LEAST_VALUES[n] };
+        let most = if small { LARGEST_VALUES[n] } else { HEXACOPTER_LARGEST_VALUES[n] };
+        let good = value >= least && value <= most;
         if !good {
             return false;
         }

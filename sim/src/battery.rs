@@ -1,29 +1,46 @@
-//! The battery of the Mambo: it counts the charge that the motors draw.
+//! The battery of an aircraft: it counts the charge that the motors draw.
 //!
 //! It has no influence on the flight, which continues when the battery is empty.
 
 use crate::vehicle::Vehicle;
 use nalgebra::SVector;
 
-/// Charge of a full battery (the maker's 660 mAh), A·s.
-const CAPACITY: f64 = 0.66 * 3600.0;
-
 /// Voltage without a load of a full cell and of an empty one, V: a straight line between them is assumed.
-const VOLTAGES: [f64; 2] = [4.2, 3.4];
+const CELL_VOLTAGES: [f64; 2] = [4.2, 3.4];
 
-/// Resistance of cell and wires, Ω: assumed.
-const RESISTANCE: f64 = 0.05;
-
-/// Power of the propellers as a fraction of the motors' power. It is assumed such that hovering empties the battery in
-/// about ten minutes, the maker's figure.
+/// Power of the propellers as a fraction of the motors' power. It is assumed such that hovering empties the Mambo's
+/// battery in about ten minutes, the maker's figure.
 const EFFICIENCY: f64 = 0.25;
 
-/// Power of the electronics, W: assumed.
-const ELECTRONICS: f64 = 0.5;
+/// Properties of a battery and of the electronics that it feeds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pack {
+    /// Charge of a full battery, A·s.
+    pub capacity: f64,
+    /// Number of cells in series.
+    pub cells: f64,
+    /// Resistance of cells and wires, Ω.
+    pub resistance: f64,
+    /// Power of the electronics, W.
+    pub electronics: f64,
+}
+
+impl Pack {
+    /// The Mambo's single cell of 660 mAh; resistance and power are assumed.
+    pub fn mambo() -> Self {
+        Self { capacity: 0.66 * 3600.0, cells: 1.0, resistance: 0.05, electronics: 0.5 }
+    }
+
+    /// The four cells of 5,200 mAh that the F550 flies with; resistance and power are assumed.
+    pub fn f550() -> Self {
+        Self { capacity: 5.2 * 3600.0, cells: 4.0, resistance: 0.03, electronics: 5.0 }
+    }
+}
 
 /// A battery.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Battery {
+    pack: Pack,
     /// Moment of each motor per square of its speed, N·m·s²/rad².
     drags: Vec<f64>,
     drawn: f64,
@@ -32,16 +49,16 @@ pub struct Battery {
 
 impl Battery {
     /// Creates a full battery for a vehicle.
-    pub fn new(vehicle: &Vehicle) -> Self {
+    pub fn new(vehicle: &Vehicle, pack: Pack) -> Self {
         let drags = vehicle.motors.iter().map(|motor| motor.drag_factor.abs()).collect();
-        Self { drags, drawn: 0.0, current: 0.0 }
+        Self { pack, drags, drawn: 0.0, current: 0.0 }
     }
 
     /// Draws the charge of a period, s, with the motors at these speeds, rad/s.
     pub fn draw(&mut self, speeds: &SVector<f64, 8>, period: f64) {
         let turning: f64 = self.drags.iter().zip(speeds).map(|(drag, it)| drag * it.powi(3)).sum();
-        self.current = (turning / EFFICIENCY + ELECTRONICS) / self.voltage();
-        self.drawn = (self.drawn + self.current * period).min(CAPACITY);
+        self.current = (turning / EFFICIENCY + self.pack.electronics) / self.voltage();
+        self.drawn = (self.drawn + self.current * period).min(self.pack.capacity);
     }
 
     /// Returns the current, A.
@@ -56,12 +73,13 @@ impl Battery {
 
     /// Returns the remaining charge, from 1 down to 0.
     pub fn left(&self) -> f64 {
-        1.0 - self.drawn / CAPACITY
+        1.0 - self.drawn / self.pack.capacity
     }
 
     /// Returns the voltage under load, V.
     pub fn voltage(&self) -> f64 {
-        let [full, empty] = VOLTAGES;
-        empty + (full - empty) * self.left() - RESISTANCE * self.current
+        let [full, empty] = CELL_VOLTAGES;
+        let cell = empty + (full - empty) * self.left();
+        self.pack.cells * cell - self.pack.resistance * self.current
     }
 }

@@ -3,6 +3,7 @@
 //! A flight is a row: scenario, checks, figures. `cargo xtask sim --list` prints them; `sim/tests` holds
 //! each to its checks.
 
+use crate::Aircraft;
 use crate::campaign::dice;
 use crate::checks::Check;
 use crate::figures::{self, Figure};
@@ -14,7 +15,7 @@ use crate::scenario::{Failure, Scenario, point};
 use crate::voyage::Voyage;
 use models::airframe::MAX_MOTORS;
 use models::receiver::Sticks;
-use models::{Airframe, Alarm, Candidate, Injection, Mode, Parameters, Phase, Settings};
+use models::{Airframe, Alarm, Candidate, Injection, Mode, Phase};
 use nalgebra::{Vector2, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -346,14 +347,10 @@ fn motor_failure_checks(_: &Scenario, voyage: &Voyage) -> Vec<Check> {
 fn hexacopter() -> Scenario {
     let points = [point(0.0, 0.0, 0.0, 1.5, 0.0), point(14.0, 0.5, 0.0, 1.5, 1.0)];
     let mut scenario = Scenario::mambo(&points, 28.0, Mode::ClosedLoop);
-    scenario.airframe = Airframe::hexacopter();
-    scenario.settings = Settings {
-        airframe: Airframe::hexacopter(),
-        parameters: Parameters::hexacopter(),
-        ..Settings::mambo()
-    };
-    scenario.lag = 0.04;
-    scenario.air.gusts = 0.1;
+    scenario.airframe = Aircraft::F550.airframe();
+    scenario.settings = Aircraft::F550.settings();
+    scenario.lag = Aircraft::F550.lag();
+    scenario.air.gusts = Aircraft::F550.gusts();
     scenario
 }
 

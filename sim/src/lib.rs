@@ -3,6 +3,7 @@
 //! | module | what it says |
 //! |---|---|
 //! | [`vehicle`] | a multicopter with any number of motors: forces and torques |
+//! | [`aircraft`] | the aircraft of the testbed, with settings, motors and battery of each |
 //! | [`plant`] | its motion: twelve states, RK4, a floor |
 //! | [`motors`], [`battery`] | motors that lag, and what they draw |
 //! | [`air`], [`sensors`], [`noise`] | wind, sensors as they are, chance from a seed |
@@ -28,6 +29,7 @@
 //! hide in the other.
 
 pub mod air;
+pub mod aircraft;
 pub mod battery;
 pub mod campaign;
 pub mod channels;
@@ -54,6 +56,7 @@ pub mod verdict;
 pub mod voyage;
 pub mod world;
 
+pub use aircraft::Aircraft;
 pub use flight::{Flight, Step, fly};
 pub use mission::{Action, Gust, Manoeuvre, Mission};
 pub use pilot::{Native, Pilot};

@@ -86,6 +86,7 @@ pub struct Writer<W: Write + Seek> {
     writer: mcap::Writer<W>,
     channels: Vec<u16>,
     raw: BTreeMap<String, u16>,
+    about: BTreeMap<String, String>,
     sequence: u32,
 }
 
@@ -106,7 +107,7 @@ impl<W: Write + Seek> Writer<W> {
             let schema = writer.add_schema(&schema, "jsonschema", text.as_bytes())?;
             ids.push(writer.add_channel(schema, &topic, "json", about)?);
         }
-        Ok(Self { writer, channels: ids, raw: BTreeMap::new(), sequence: 0 })
+        Ok(Self { writer, channels: ids, raw: BTreeMap::new(), about: about.clone(), sequence: 0 })
     }
 
     /// Adds a topic of bytes in a private format; `about` describes them.
@@ -116,7 +117,7 @@ impl<W: Write + Seek> Writer<W> {
     /// The message of the writer.
     pub fn raw(&mut self, topic: &str, encoding: &str, about: &str) -> Result<(), mcap::McapError> {
         let schema = self.writer.add_schema(encoding, encoding, about.as_bytes())?;
-        let channel = self.writer.add_channel(schema, topic, encoding, &BTreeMap::new())?;
+        let channel = self.writer.add_channel(schema, topic, encoding, &self.about)?;
         self.raw.insert(topic.to_owned(), channel);
         Ok(())
     }
@@ -127,7 +128,7 @@ impl<W: Write + Seek> Writer<W> {
     /// What the writer said.
     pub fn json(&mut self, topic: &str, name: &str, schema: &str) -> Result<(), mcap::McapError> {
         let schema = self.writer.add_schema(name, "jsonschema", schema.as_bytes())?;
-        let channel = self.writer.add_channel(schema, topic, "json", &BTreeMap::new())?;
+        let channel = self.writer.add_channel(schema, topic, "json", &self.about)?;
         self.raw.insert(topic.to_owned(), channel);
         Ok(())
     }

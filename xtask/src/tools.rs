@@ -283,6 +283,7 @@ pub const TOOLS: &[Tool] = &[
         "wasmtime==50.0.1",
     ),
     package("pymavlink", "the other end of MAVLink", Need::Full, "pymavlink", "pymavlink==2.4.50"),
+    package("natnet", "a client of the motion capture", Need::Full, "natnet", "natnet==0.3.0"),
     Tool {
         name: "valgrind",
         purpose: "counts instructions on the host",

@@ -178,7 +178,7 @@ fn packages_of_pythons_come_last_and_below_target() {
         last,
         format!(
             "python3 -m venv --clear {own} && {own}/bin/pip install --quiet --no-compile \
-             numpy==2.3.5 fmpy==0.3.32 pya2ldb==1.0.355 fprime-fpp==3.4.0 ziglang==0.17.1 wasmtime==50.0.1 pymavlink==2.4.50"
+             numpy==2.3.5 fmpy==0.3.32 pya2ldb==1.0.355 fprime-fpp==3.4.0 ziglang==0.17.1 wasmtime==50.0.1 pymavlink==2.4.50 natnet==0.3.0"
         )
     );
 }
@@ -298,6 +298,7 @@ chromium                 150.0.1       test --full        shows the page of the 
 zig                      found         test --full        compiles the emitted C for this processor by a newer clang
 wasmtime                 found         test --full        runs the models as WebAssembly
 pymavlink                found         test --full        the other end of MAVLink
+natnet                   found         test --full        a client of the motion capture
 valgrind                 3.19.0        bench              counts instructions on the host
 wasm2c                   1.0.32        bench              a peer: C of WebAssembly
 Eigen                    found         bench              a peer

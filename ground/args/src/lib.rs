@@ -5,14 +5,14 @@
 //! Invariant: only data and help texts; nothing is executed here.
 
 use clap::{Args, Subcommand, ValueEnum};
-use std::net::{IpAddr, Ipv4Addr, SocketAddr};
+use std::net::{IpAddr, Ipv4Addr, SocketAddr, SocketAddrV4};
 use std::path::PathBuf;
 
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Task {
     /// Fly live: aircraft, emitted C, link and ground station, with a page in the browser
-    Fly(Fly),
+    Fly(Box<Fly>),
     /// Run the onboard C again from a recording of `fly`, and compare every output by its bits; or show it
     Replay(Replay),
 }
@@ -23,10 +23,13 @@ Examples:
   cargo xtask fly --headless         Only print its address
   cargo xtask fly --loss 20%         Over a bad link
   cargo xtask fly --target zynq      The C as firmware of an emulated Zynq, over its serial line
+  cargo xtask fly --airframe f550    The hexacopter in place of the Mambo
   cargo xtask fly --key FILE         Commands are sealed; FILE holds 32 hexadecimal digits
   cargo xtask fly --record FILE      Record from the beginning; `cargo xtask replay FILE` runs the C again
   cargo xtask fly --foxglove         Foxglove sees the flight at ws://127.0.0.1:8765
   cargo xtask fly --mavlink          QGroundControl or pymavlink at 127.0.0.1:14550 flies it: commands, missions, sticks
+  cargo xtask fly --mocap 10.0.0.5   The pose comes from OptiTrack's Motive at this address
+  cargo xtask fly --natnet           The simulated aircraft is what Motive would stream
   cargo xtask fly --seconds 600      End after that, and say how well the periods were kept";
 
 /// Arguments of `fly`.
@@ -45,6 +48,12 @@ pub struct Fly {
     /// Machine that runs the onboard software
     #[arg(long, value_enum, default_value_t = Machine::Native)]
     pub target: Machine,
+    /// Aircraft to fly
+    #[arg(long, value_enum, default_value_t = Airframe::Mambo)]
+    pub airframe: Airframe,
+    /// Address of this machine at which the onboard software receives commands, with or without a port
+    #[arg(long, value_name = "ADDRESS", value_parser = place, default_value = "127.0.0.1")]
+    pub link: SocketAddrV4,
     /// Share of the datagrams that is lost, such as 5%
     #[arg(long, value_parser = share, default_value = "0")]
     pub loss: f64,
@@ -72,6 +81,18 @@ pub struct Fly {
     /// File with the key that signs MAVLink: 64 hexadecimal digits; messages not signed with it are rejected
     #[arg(long, value_name = "FILE", requires = "mavlink")]
     pub mavlink_key: Option<PathBuf>,
+    /// Take the aircraft's pose from the NatNet server at this address (OptiTrack's Motive), not from the simulation
+    #[arg(long, value_name = "ADDRESS", value_parser = natnet, num_args = 0..=1, default_missing_value = "127.0.0.1:1510")]
+    pub mocap: Option<SocketAddrV4>,
+    /// Rigid body that is the aircraft: its name or its number
+    #[arg(long, value_name = "BODY", requires = "mocap", default_value = "aircraft")]
+    pub body: String,
+    /// Axis of motion capture that points upwards
+    #[arg(long, value_enum, requires = "mocap", default_value_t = Axis::Y)]
+    pub up: Axis,
+    /// Stream the simulated aircraft from a NatNet server at this address, as a motion-capture system would
+    #[arg(long, value_name = "ADDRESS", value_parser = natnet, num_args = 0..=1, default_missing_value = "127.0.0.1:1510")]
+    pub natnet: Option<SocketAddrV4>,
     /// Seed of all randomness
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
@@ -112,6 +133,24 @@ impl Task {
     }
 }
 
+/// Aircraft to fly.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Airframe {
+    /// The Parrot Mambo, a quadcopter of 70 g
+    Mambo,
+    /// A hexacopter of the size of the DJI F550
+    F550,
+}
+
+/// Axis that points upwards.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Axis {
+    /// The y axis, as Motive has it unless it is changed there
+    Y,
+    /// The z axis
+    Z,
+}
+
 /// Machine that runs the onboard software.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Machine {
@@ -121,6 +160,27 @@ pub enum Machine {
     A9,
     /// An emulated Zynq without an operating system (qemu-system-arm, examples/zynq)
     Zynq,
+}
+
+/// Port of NatNet's commands.
+const NATNET_PORT: u16 = 1510;
+
+/// Parses an address of a NatNet server.
+fn natnet(text: &str) -> Result<SocketAddrV4, String> {
+    address(text, NATNET_PORT)
+}
+
+/// Parses an address at which any free port will do.
+fn place(text: &str) -> Result<SocketAddrV4, String> {
+    address(text, 0)
+}
+
+/// Parses an address of IPv4, with this port unless it has one.
+fn address(text: &str, port: u16) -> Result<SocketAddrV4, String> {
+    let alone = text.parse::<Ipv4Addr>().map(|address| SocketAddrV4::new(address, port));
+    alone
+        .or_else(|_| text.parse())
+        .map_err(|_| format!("`{text}` is no address of IPv4: write 127.0.0.1 or 127.0.0.1:5000"))
 }
 
 /// Parses a share such as `5%` or `0.05`.

@@ -1,12 +1,14 @@
 /*
  * main.c: the onboard software on a computer with sockets: sensors and motors on one, the ground on the other.
  *
- *     onboard BUS_PORT
+ *     onboard [-a AIRCRAFT] [-l ADDRESS[:PORT]] [ADDRESS:]PORT
  *
- * BUS_PORT is where the aircraft listens, on loopback, as is the port at which the ground is listened to: any that is
- * free; the first datagram on the bus is "ready" and that port, two bytes, least significant first. The first line of
- * standard input is the key, 32 hexadecimal digits, or empty. The program ends when standard input does: then whoever
- * started it is gone. A silent bus does not end it: the machine may be busy.
+ * The last argument is where sensors and motors are: the other end of the bus, on loopback without an address. `-l` is
+ * where the ground is listened to: any free port of loopback without it, any free port of the address without a port.
+ * `-a` is the aircraft, `mambo` or `f550`. The first datagram on the bus is "ready" and the port for the ground, two
+ * bytes, least significant first. The first line of standard input is the key, 32 hexadecimal digits, or empty. The
+ * program ends when standard input does: then whoever started it is gone. A silent bus does not end it: the machine
+ * may be busy.
  *
  * SPDX-License-Identifier: MIT OR Apache-2.0
  */
@@ -26,31 +28,26 @@
 
 #include "computer.h"
 
-static int opened(void)
+/** A socket for the ground, at an address. */
+static int listening(const struct sockaddr_in *here)
 {
-    struct sockaddr_in here;
     const int made = socket(AF_INET, SOCK_DGRAM, 0);
-    memset(&here, 0, sizeof here);
-    here.sin_family = AF_INET;
-    here.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    if (made < 0 || bind(made, (const struct sockaddr *)&here, sizeof here) != 0) {
-        perror("onboard: socket");
+    if (made < 0 || bind(made, (const struct sockaddr *)here, sizeof *here) != 0) {
+        perror("onboard: ground");
         exit(1);
     }
     return made;
 }
 
-static void reach(int bus, uint16_t port)
+/** A socket whose other end is the bus. */
+static int connected(const struct sockaddr_in *there)
 {
-    struct sockaddr_in there;
-    memset(&there, 0, sizeof there);
-    there.sin_family = AF_INET;
-    there.sin_port = htons(port);
-    there.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    if (connect(bus, (const struct sockaddr *)&there, sizeof there) != 0) {
+    const int made = socket(AF_INET, SOCK_DGRAM, 0);
+    if (made < 0 || connect(made, (const struct sockaddr *)there, sizeof *there) != 0) {
         perror("onboard: bus");
         exit(1);
     }
+    return made;
 }
 
 /** The key from the first line of standard input; false if the line is neither a key nor empty. */
@@ -132,9 +129,66 @@ static void speak(const computer_t *computer, int ground)
         (const struct sockaddr *)&there, sizeof there);
 }
 
-static uint16_t port(const char *text)
+/** Reads a port; false if the text is none. */
+static bool read_port(const char *text, struct sockaddr_in *address)
 {
-    return (uint16_t)(strtoul(text, NULL, 10) & 0xFFFFU);
+    char *end;
+    const unsigned long number = strtoul(text, &end, 10);
+    address->sin_port = htons((uint16_t)(number & 0xFFFFU));
+    return strspn(text, "0123456789") > 0U && *end == '\0' && number <= 0xFFFFU;
+}
+
+/** Reads an address of IPv4; false if the text is none. */
+static bool read_address(const char *text, struct sockaddr_in *address)
+{
+    return inet_pton(AF_INET, text, &address->sin_addr) == 1;
+}
+
+/** Reads an address, a port, or both; what the text leaves out stays. False if the text is neither. */
+static bool read_place(const char *text, struct sockaddr_in *place)
+{
+    char host[INET_ADDRSTRLEN];
+    const char *const colon = strchr(text, ':');
+    if (colon == NULL) {
+        return (strchr(text, '.') != NULL) ? read_address(text, place) : read_port(text, place);
+    }
+    const size_t length = (size_t)(colon - text);
+    if (length >= sizeof host) {
+        return false;
+    }
+    memcpy(host, text, length);
+    host[length] = '\0';
+    return read_address(host, place) && read_port(colon + 1, place);
+}
+
+/** Arguments of the program. */
+typedef struct {
+    struct sockaddr_in bus;
+    struct sockaddr_in ground;
+    aircraft_t aircraft;
+} arguments_t;
+
+static bool read_aircraft(const char *text, aircraft_t *aircraft)
+{
+    *aircraft = (strcmp(text, "f550") == 0) ? AIRCRAFT_F550 : AIRCRAFT_MAMBO;
+    return *aircraft == AIRCRAFT_F550 || strcmp(text, "mambo") == 0;
+}
+
+/** Reads the command line; false if it is not as the program takes it. */
+static bool read_arguments(int argc, char **argv, arguments_t *arguments)
+{
+    int option;
+    memset(arguments, 0, sizeof *arguments);
+    arguments->bus.sin_family = AF_INET;
+    arguments->bus.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    arguments->ground = arguments->bus;
+    while ((option = getopt(argc, argv, "a:l:")) != -1) {
+        if (option == 'a' ? !read_aircraft(optarg, &arguments->aircraft)
+                          : option != 'l' || !read_place(optarg, &arguments->ground)) {
+            return false;
+        }
+    }
+    return optind + 1 == argc && read_place(argv[optind], &arguments->bus) && arguments->bus.sin_port != 0U;
 }
 
 /** Says that it is there, and where the ground reaches it. */
@@ -159,15 +213,16 @@ int main(int argc, char **argv)
     /* A byte more than a datagram has: what is longer is none. */
     static uint8_t in[COMPUTER_MOST + 1U];
     siphash_key_t key;
+    arguments_t arguments;
 
-    if (argc != 2 || !read_key(&key)) {
-        (void)fprintf(stderr, "usage: onboard BUS_PORT, with a key or an empty line on standard input\n");
+    if (!read_arguments(argc, argv, &arguments) || !read_key(&key)) {
+        (void)fprintf(stderr, "usage: onboard [-a mambo|f550] [-l ADDRESS[:PORT]] [ADDRESS:]PORT, with a key or an "
+                              "empty line on standard input\n");
         return 2;
     }
-    const int bus = opened();
-    const int ground = opened();
-    reach(bus, port(argv[1]));
-    computer_begin(&computer, &key);
+    const int ground = listening(&arguments.ground);
+    const int bus = connected(&arguments.bus);
+    computer_begin(&computer, &key, arguments.aircraft);
     say_ready(bus, ground);
 
     while (wait_for(bus)) {

@@ -18,7 +18,7 @@
 enum {
     /** From here, once at the beginning. */
     KIND_READY = 1,
-    /** Whether there is a key, and its halves; the software begins. */
+    /** Whether there is a key, its halves, and the aircraft; the software begins. */
     KIND_BEGIN = 2,
     /** A datagram of the bus; back its answer, which may be empty. */
     KIND_BUS = 3,
@@ -35,7 +35,7 @@ static void begin(computer_t *computer)
     key.is_set = link_get() != 0U;
     key.halves[0] = link_get();
     key.halves[1] = link_get();
-    computer_begin(computer, &key);
+    computer_begin(computer, &key, (link_get() == AIRCRAFT_F550) ? AIRCRAFT_F550 : AIRCRAFT_MAMBO);
 }
 
 /** A datagram from the ground. */
@@ -81,7 +81,7 @@ int main(void)
     static computer_t computer;
     static const siphash_key_t none;
 
-    computer_begin(&computer, &none);
+    computer_begin(&computer, &none, AIRCRAFT_MAMBO);
     uart_open();
     link_begin();
     link_put(KIND_READY);

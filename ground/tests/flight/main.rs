@@ -1,9 +1,12 @@
 //! Whole flights of the emitted C over UDP, in virtual time: through the ground station, the link and the bus.
 
+mod aircraft;
+mod mocap;
 mod recordings;
 
 use bessemer_legs::toolchain;
 use ground::bench::Injection;
+use ground::catalogue::PAGE_SIGNALS;
 use ground::key::Key;
 use ground::program::{Program, Target};
 use ground::radio::Quality;
@@ -14,6 +17,7 @@ use models::gate::{Gate, Refused};
 use models::packet::Packet;
 use models::receiver::COMMIT;
 use models::{Alarm, Mode, Phase};
+use sim::Aircraft;
 use sim::ground_station::{Order, Status, unframed};
 use sim::scenario::point;
 use std::io::Write as _;
@@ -37,8 +41,9 @@ fn testbed_on(program: &Program, wanted: Wanted) -> Testbed {
 }
 
 /// A recording for which time waits.
-fn recorder(path: &Path, image: Option<Vec<u8>>) -> Recorder {
-    Recorder::start(path.to_owned(), image, true).unwrap_or_else(|error| panic!("{error}"))
+fn recorder(path: &Path, aircraft: Aircraft, image: Option<Vec<u8>>) -> Recorder {
+    Recorder::start(path.to_owned(), aircraft, image, true)
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn until(testbed: &mut Testbed, time: f64) {
@@ -229,7 +234,7 @@ fn who_lacks_the_key_commands_nothing() {
 #[test]
 fn a_clock_that_jumps_keeps_nobody_out() {
     let theirs = models::siphash::Key { is_set: true, halves: [u64::from_le_bytes([7; 8]); 2] };
-    let (mut station, mut gate) = (Station::new(key(), 0.0), Gate::default());
+    let (mut station, mut gate) = (Station::new(key(), PAGE_SIGNALS, 0.0), Gate::default());
     let mut through = 0;
     for (n, clock) in [5_000_000, 5, 4_000_000_000, 7].into_iter().cycle().take(400).enumerate() {
         let Some(datagram) = station.tick(0.1 * n as f64, clock) else { continue };
@@ -244,7 +249,7 @@ fn a_clock_that_jumps_keeps_nobody_out() {
 #[test]
 fn a_station_that_was_started_anew_takes_no_other_trajectory_for_its_own() {
     let named = |flown: Option<u8>| {
-        let mut station = Station::new(None, 0.0);
+        let mut station = Station::new(None, PAGE_SIGNALS, 0.0);
         station.status = flown.map(|tag| Status { tag, ..Status::default() });
         station.fly(0.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
         let datagrams = std::iter::from_fn(|| station.tick(0.0, 0));
@@ -465,7 +470,7 @@ fn the_key_is_in_no_log() {
     let key = Key::new(SECRET);
     let mut testbed = testbed(Wanted { key: Some(key.clone()), ..Wanted::default() });
     let image = testbed.image().expect("the bus").expect("it answers");
-    let mut recorder = recorder(&path, Some(image));
+    let mut recorder = recorder(&path, Aircraft::Mambo, Some(image));
     testbed
         .run_until(2.0, |done, _| recorder.take(done, Vec::new()))
         .unwrap_or_else(|error| panic!("{error}"));

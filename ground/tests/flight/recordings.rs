@@ -4,6 +4,7 @@ use crate::{arm, bad, built, key, recorder, taken_off, testbed, testbed_on, unti
 use bessemer_legs::toolchain::{self, ZYNQ};
 use ground::program::{Program, Target};
 use ground::testbed::Wanted;
+use sim::Aircraft;
 use sim::ground_station::Order;
 use sim::scenario::point;
 use std::path::Path;
@@ -15,7 +16,7 @@ fn the_c_runs_again_from_a_recording_to_the_bit() {
     // From the middle of the flight, over a bad link, with a key.
     let mut testbed = taken_off(Wanted { quality: bad(), key: key(), ..Wanted::default() });
     let image = testbed.image().expect("the bus").expect("it answers");
-    let mut recorder = recorder(&path, Some(image));
+    let mut recorder = recorder(&path, Aircraft::Mambo, Some(image));
     testbed.station.order(12.0, Order::Set(0, 2.0));
     testbed
         .run_until(15.0, |done, _| recorder.take(done, Vec::new()))
@@ -31,7 +32,7 @@ fn the_c_runs_again_from_a_recording_to_the_bit() {
 /// A recording of the first two seconds; in one of its periods a bit is another, if that is wanted.
 fn recorded(path: &Path, changed: Option<u64>) {
     let mut testbed = testbed(Wanted::default());
-    let mut recorder = recorder(path, None);
+    let mut recorder = recorder(path, Aircraft::Mambo, None);
     let run = testbed.run_until(2.0, |done, _| {
         let mut done = done.clone();
         if done.count == changed && changed.is_some() {
@@ -101,7 +102,7 @@ fn a_bare_zynq_takes_off_with_the_bits_of_this_machine() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("flight.mcap");
     let image = there.image().expect("the bus").expect("it answers");
-    let mut recorder = recorder(&path, Some(image));
+    let mut recorder = recorder(&path, Aircraft::Mambo, Some(image));
     there
         .run_until(3.5, |done, _| recorder.take(done, Vec::new()))
         .unwrap_or_else(|error| panic!("{error}"));

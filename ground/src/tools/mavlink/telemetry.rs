@@ -9,6 +9,7 @@ use crate::testbed::{Testbed, period};
 use ::mavlink::dialects::common::*;
 use models::{Alarm, Phase};
 use nalgebra::{Rotation3, Vector3};
+use sim::Aircraft;
 use sim::plant::rotation;
 
 /// Mean radius of the earth, m.
@@ -236,7 +237,10 @@ pub fn heartbeat(testbed: &Testbed) -> MavMessage {
     };
     MavMessage::HEARTBEAT(HEARTBEAT_DATA {
         custom_mode: testbed.station.status.as_ref().map_or(0, |status| status.mode.into()),
-        mavtype: MavType::MAV_TYPE_QUADROTOR,
+        mavtype: match testbed.bench.aircraft() {
+            Aircraft::Mambo => MavType::MAV_TYPE_QUADROTOR,
+            Aircraft::F550 => MavType::MAV_TYPE_HEXAROTOR,
+        },
         autopilot: MavAutopilot::MAV_AUTOPILOT_GENERIC,
         base_mode,
         system_status,
@@ -294,7 +298,7 @@ mod tests {
             arming: false,
             planned: false,
             silence: Some(0.0),
-            motors: 4,
+            aircraft: Aircraft::Mambo,
             height: Some(0.0),
             speed: Some(0.0),
             ages,
