@@ -11,6 +11,7 @@
 //!
 //! What it must not know: the DSL, the IR, C.
 
+pub mod alternate;
 pub mod args;
 pub mod bench;
 pub mod book;

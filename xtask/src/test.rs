@@ -4,6 +4,7 @@
 //! - no test runs before every tool that the run needs is there; what is missing is installed beside the build;
 //! - the tests come last, those of the documentation and the mutants beside them, which count as one test more each, and
 //!   behind them the mutants whose tests need what these store; the summary of all is the last line of a run that got so far;
+//! - of the tests that take longest, a run leaves out those of the other turn, and prints how many;
 //! - the tests are told what to run through the environment, never by guessing from what is installed:
 //!   `BESSEMER_LEGS` names the machines, `BESSEMER_FULL` says that nothing may be left out, `BESSEMER_TURN` is the
 //!   number by which a run that leaves something out takes turns.
@@ -17,7 +18,7 @@ use crate::mutate::Share;
 use crate::runner::{self, Done, Program, Spent, Times};
 use crate::stages::{self, Progress};
 use crate::tools::{self, Machine, Need, Tool};
-use crate::{generate, mutate, project};
+use crate::{alternate, generate, mutate, project};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
@@ -80,8 +81,13 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
         installed(wanted, machine)?;
     }
     let trials = (!wanted.quick).then(|| trials(root)).transpose()?;
+    let turn = turn(root);
     let done = progress.closed("tests", |voice| {
-        let chosen = |title: &str| !wanted.quick || stored.of(title) <= QUICK;
+        let chosen = |title: &str| match (wanted.full, wanted.quick) {
+            (true, _) => true,
+            (false, true) => stored.of(title) <= QUICK,
+            (false, false) => alternate::is_due(title, turn),
+        };
         thread::scope(|scope| {
             let mut beside = Vec::new();
             if let Some(trials) = &trials {
@@ -109,7 +115,8 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
     let grown = if wanted.full { Vec::new() } else { times.grown(&stored) };
     let alike = !(wanted.full || wanted.quick || installs);
     let whole = alike.then(|| times.grown_as_a_whole(&stored, ALL)).flatten();
-    report(&progress, &done, &grown, (times.of(ALL), whole));
+    let left_out = if wanted.full || wanted.quick { 0 } else { alternate::left_out(turn) };
+    report(&progress, &done, &grown, (times.of(ALL), whole), left_out);
     Ok(if done.iter().all(|test| test.passed) { Outcome::Good } else { Outcome::Bad })
 }
 
@@ -225,6 +232,7 @@ fn report(
     done: &[Done],
     grown: &[(String, f64)],
     (processors, whole): (Duration, Option<f64>),
+    left_out: usize,
 ) {
     anstream::println!("\nstages");
     for (name, time) in progress.done() {
@@ -246,6 +254,9 @@ fn report(
     let failed: Vec<&Done> = done.iter().filter(|test| !test.passed).collect();
     for test in &failed {
         anstream::println!("\nfailed: {}", test.title);
+    }
+    if left_out > 0 {
+        anstream::println!("\n{left_out} tests are those of the other turn; `--full` runs all");
     }
     anstream::println!("\n{} passed, {} failed", done.len() - failed.len(), failed.len());
 }

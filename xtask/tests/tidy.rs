@@ -235,6 +235,22 @@ fn normal(path: &Path) -> String {
 }
 
 /// Libraries without unit tests say `test = false`, which saves building them twice; none says it that has some.
+/// A test that was renamed would be in each run again.
+#[test]
+fn the_tests_that_alternate_are_there() {
+    let sources: String =
+        files().iter().filter(|it| it.path.ends_with(".rs")).map(|it| it.text.as_str()).collect();
+    let is_gone = |title: &&&str| {
+        let name = title.rsplit("::").next().unwrap_or_default();
+        !sources.contains(&format!("#[test]\nfn {name}() {{"))
+    };
+    let all = xtask::alternate::TESTS.into_iter().flatten();
+    none(
+        "a test that alternates is not there",
+        &all.filter(is_gone).map(|it| (*it).to_owned()).collect::<Vec<_>>(),
+    );
+}
+
 #[test]
 fn what_is_not_built_as_a_test_has_none() {
     let root = root();
