@@ -17,6 +17,9 @@ pub enum Error {
     /// A dossier cannot be made.
     #[error(transparent)]
     Dossier(#[from] crate::dossier::Wrong),
+    /// Topics cannot be mapped.
+    #[error(transparent)]
+    Bridge(#[from] crate::pack::bridge::Wrong),
     /// The name of a new package means something already, or nothing.
     #[error("a package cannot be called `{name}`: {why}")]
     Name {
@@ -163,6 +166,7 @@ impl Error {
             Error::Project(error) => return error.remedy(),
             Error::Trace(error) => return error.remedy(),
             Error::Dossier(error) => return error.remedy(),
+            Error::Bridge(wrong) => wrong.remedy(),
             Error::Name { .. } => "choose another, such as `motor` or `height_loop`".to_owned(),
             Error::Exists { .. } => "choose another name, or remove that folder".to_owned(),
             Error::NoCheckout { .. } => "pass the folder of your clone".to_owned(),

@@ -157,7 +157,7 @@ fn two_versions_stand_in_one_firmware() {
         assert_eq!(text, "64.0 0 0\n", "{}", toolchain.compiler);
     }
     built(&workspace, &old);
-    packs::of(&workspace.path(""));
+    packs::of(&workspace.path(""), &workspace.folder().join("bessemer.toml"));
     verified(&workspace);
 }
 

@@ -1,6 +1,8 @@
 //! Packs of `cargo bessemer pack` for each system: complete, described, and compiled against the smallest stand-ins
 //! for the system's own headers (`tests/stubs/`). Messages and ports become headers here as the systems' tools make them.
 
+mod bridged;
+
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -122,8 +124,9 @@ const SYSTEMS: &[(System, &str)] = &[
     (System::CmsisPack, "cmsis-pack"),
 ];
 
-/// Packs the models of `workspace`, prefix `new_` and headers in a folder `new`, for each system.
-pub fn of(workspace: &Path) {
+/// Packs the models of `workspace`, prefix `new_` and headers in a folder `new`, for each system. `settings` is its
+/// `bessemer.toml`.
+pub fn of(workspace: &Path, settings: &Path) {
     for (system, name) in SYSTEMS {
         let output = workspace.join(name);
         let wanted = Pack { package: Default::default(), system: *system, output };
@@ -137,6 +140,7 @@ pub fn of(workspace: &Path) {
         assert!(said.contains("left out: ") && said.contains("\nNext:\n"), "{said}");
         compiles(*system, &Built { folder, name });
     }
+    bridged::bridged(workspace, settings);
 }
 
 /// A pack, and the stand-ins of its system.
@@ -268,6 +272,23 @@ fn declared(text: &str) -> String {
     declared
 }
 
+/// Makes headers of the messages of a module, as the build of PX4 does.
+fn uorb(built: &Built<'_>) {
+    for (entry, class) in ENTRIES {
+        for (end, topic) in [("Input", "input"), ("Output", "output")] {
+            let path = format!("msg/{class}{end}.msg");
+            if !built.folder.join(&path).exists() {
+                continue;
+            }
+            let fields = declared(&built.read(&path));
+            let header = format!(
+                "#pragma once\n#include <stdint.h>\nstruct {entry}_{topic}_s {{ {fields} }};\n"
+            );
+            built.write(&format!("stub/uORB/topics/{entry}_{topic}.h"), &header);
+        }
+    }
+}
+
 fn px4(built: &Built<'_>) {
     let message = built.read("msg/NewWatchStepInput.msg");
     for line in [
@@ -281,15 +302,7 @@ fn px4(built: &Built<'_>) {
     ] {
         assert!(message.lines().any(|it| it == line), "{line}: {message}");
     }
-    for (entry, class) in ENTRIES {
-        for (end, topic) in [("Input", "input"), ("Output", "output")] {
-            let fields = declared(&built.read(&format!("msg/{class}{end}.msg")));
-            let header = format!(
-                "#pragma once\n#include <stdint.h>\nstruct {entry}_{topic}_s {{ {fields} }};\n"
-            );
-            built.write(&format!("stub/uORB/topics/{entry}_{topic}.h"), &header);
-        }
-    }
+    uorb(built);
     for module in ["NewMotorModule.cpp", "NewWatchModule.cpp"] {
         built.syntax("g++", "-std=c++14", &["-Isrc", "-Istub", module]);
     }

@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::inputs;
 use crate::keys::{KEYS, Key, Kind};
+use crate::outputs;
 use crate::settings::{Limit, Settings};
 
 /// The name of the file.
@@ -147,6 +148,13 @@ impl Reader<'_> {
                 let read = inputs::inputs(found, at, &|at| self.place(at).0);
                 match read {
                     Ok(read) => self.settings.inputs = read,
+                    Err(wrong) => self.all_wrong(wrong),
+                }
+            }
+            (Kind::Outputs, found) => {
+                let read = outputs::outputs(found, at, &|at| self.place(at).0);
+                match read {
+                    Ok(read) => self.settings.outputs = read,
                     Err(wrong) => self.all_wrong(wrong),
                 }
             }

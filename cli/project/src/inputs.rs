@@ -68,7 +68,7 @@ pub(crate) struct Wrong {
 }
 
 impl Wrong {
-    fn new(at: usize, message: String, help: &str) -> Wrong {
+    pub(crate) fn new(at: usize, message: String, help: &str) -> Wrong {
         Wrong { at, message, help: help.to_owned() }
     }
 }
@@ -82,51 +82,99 @@ pub(crate) fn inputs(
     at: usize,
     line: &dyn Fn(usize) -> u32,
 ) -> Result<Vec<Inputs>, Vec<Wrong>> {
+    let read = tables("inputs", found, at, &Reader { line, part: &part, form: SOURCE })?;
+    let inputs = read.into_iter().map(|it| {
+        let row = |row: Row<Part>| Source { target: row.key, line: row.line, parts: row.parts };
+        Inputs { name: it.name, line: it.line, sources: it.rows.into_iter().map(row).collect() }
+    });
+    Ok(inputs.collect())
+}
+
+/// Table of an entry point.
+pub(crate) struct EntryTable<P> {
+    /// Name of the entry point or its component.
+    pub name: String,
+    /// Line in the file.
+    pub line: u32,
+    /// The keys.
+    pub rows: Vec<Row<P>>,
+}
+
+/// A key of such a table.
+pub(crate) struct Row<P> {
+    /// The key, with those of the tables around it.
+    pub key: String,
+    /// Line in the file.
+    pub line: u32,
+    /// Parts of the value; one, unless it is a list.
+    pub parts: Vec<P>,
+}
+
+/// Reader of the keys of such a table.
+pub(crate) struct Reader<'r, P> {
+    /// Returns the line of a place in the text.
+    pub line: &'r dyn Fn(usize) -> u32,
+    /// Reads a part; the error is its place.
+    pub part: &'r dyn Fn(&Spanned<DeValue<'_>>) -> Result<P, usize>,
+    /// Form of a value, for an author who wrote something else.
+    pub form: &'static str,
+}
+
+/// Reads the tables of a section, one for each entry point.
+pub(crate) fn tables<P>(
+    section: &str,
+    found: &DeValue<'_>,
+    at: usize,
+    reader: &Reader<'_, P>,
+) -> Result<Vec<EntryTable<P>>, Vec<Wrong>> {
     let wrong = |at: usize, name: &str| {
-        let message = format!("`{name}` is a section");
-        Wrong::new(at, message, "begin it with `[inputs.motor_step]`, its keys below")
+        let help = format!("begin it with `[{section}.motor_step]`, its keys below");
+        Wrong::new(at, format!("`{name}` is a section"), &help)
     };
-    let Some(tables) = found.as_table() else { return Err(vec![wrong(at, "inputs")]) };
+    let Some(tables) = found.as_table() else { return Err(vec![wrong(at, section)]) };
     let (mut all, mut mistakes) = (Vec::new(), Vec::new());
     for (name, value) in tables {
         let place = name.span().start;
         let name = name.get_ref().to_string();
         let Some(table) = value.get_ref().as_table() else {
-            mistakes.push(wrong(place, &format!("inputs.{name}")));
+            mistakes.push(wrong(place, &format!("{section}.{name}")));
             continue;
         };
-        let mut sources = Vec::new();
-        within(table, "", line, &mut sources, &mut mistakes);
-        all.push(Inputs { name, line: line(place), sources });
+        let mut rows = Vec::new();
+        within(table, "", reader, &mut rows, &mut mistakes);
+        // TOML's tables have no order; a file has one.
+        rows.sort_by_key(|it| it.line);
+        all.push(EntryTable { name, line: (reader.line)(place), rows });
     }
     if mistakes.is_empty() { Ok(all) } else { Err(mistakes) }
 }
 
-/// Reads the keys of a table; a table within it has the parts of a parameter.
-fn within(
+/// Reads the keys of a table; a table within it has the parts of a key.
+fn within<P>(
     table: &DeTable<'_>,
     prefix: &str,
-    line: &dyn Fn(usize) -> u32,
-    sources: &mut Vec<Source>,
+    reader: &Reader<'_, P>,
+    rows: &mut Vec<Row<P>>,
     mistakes: &mut Vec<Wrong>,
 ) {
     for (key, value) in table {
-        let target = format!("{prefix}{}", key.get_ref());
+        let name = format!("{prefix}{}", key.get_ref());
         let read = match value.get_ref() {
             DeValue::Table(inner) => {
-                within(inner, &format!("{target}."), line, sources, mistakes);
+                within(inner, &format!("{name}."), reader, rows, mistakes);
                 continue;
             }
-            DeValue::Array(list) => list.iter().map(part).collect(),
-            _ => part(value).map(|it| vec![it]),
+            DeValue::Array(list) => list.iter().map(reader.part).collect(),
+            _ => (reader.part)(value).map(|it| vec![it]),
         };
         match read {
             Ok(parts) => {
-                sources.push(Source { target, line: line(key.span().start), parts });
+                let line = (reader.line)(key.span().start);
+                rows.push(Row { key: name, line, parts });
             }
             Err(at) => {
-                let message = format!("`{target}` has no source that can be read");
-                mistakes.push(Wrong::new(at, message, SOURCE));
+                let message = format!("`{name}` has no source that can be read");
+                mistakes.push(Wrong::new(at, message, reader.form));
             }
         }
     }
@@ -136,27 +184,40 @@ fn within(
 fn part(value: &Spanned<DeValue<'_>>) -> Result<Part, usize> {
     let at = value.span().start;
     match value.get_ref() {
-        DeValue::Boolean(flag) => Ok(Part::Number(flag.to_string())),
+        DeValue::String(text) => field(text).ok_or(at),
+        _ => number(value).map(Part::Number),
+    }
+}
+
+/// Reads a number or a flag, as text; the error is its place.
+pub(crate) fn number(value: &Spanned<DeValue<'_>>) -> Result<String, usize> {
+    let at = value.span().start;
+    match value.get_ref() {
+        DeValue::Boolean(flag) => Ok(flag.to_string()),
         DeValue::Integer(it) => {
             let number = i128::from_str_radix(it.as_str(), it.radix()).map_err(|_| at)?;
-            Ok(Part::Number(number.to_string()))
+            Ok(number.to_string())
         }
         DeValue::Float(it) => {
             let number = it.as_str().parse::<f64>().map_err(|_| at)?;
-            Ok(Part::Number(format!("{number:?}")))
+            Ok(format!("{number:?}"))
         }
-        DeValue::String(text) => field(text).ok_or(at),
         _ => Err(at),
+    }
+}
+
+/// Splits a product of a path and a factor, which may be left out; none if the factor is no number.
+pub(crate) fn scaled(text: &str) -> Option<(&str, Option<f64>)> {
+    match text.split_once('*') {
+        Some((path, factor)) => Some((path.trim(), Some(factor.trim().parse().ok()?))),
+        None => Some((text.trim(), None)),
     }
 }
 
 /// Reads `topic.field` or `topic.field * factor`.
 fn field(text: &str) -> Option<Part> {
-    let (path, factor) = match text.split_once('*') {
-        Some((path, factor)) => (path, Some(factor.trim().parse().ok()?)),
-        None => (text, None),
-    };
-    let (topic, field) = path.trim().split_once('.')?;
+    let (path, factor) = scaled(text)?;
+    let (topic, field) = path.split_once('.')?;
     let is_name = |it: &str| !it.is_empty() && !it.contains(char::is_whitespace);
     let part = Part::Field { topic: topic.to_owned(), field: field.to_owned(), factor };
     (is_name(topic) && is_name(field)).then_some(part)
@@ -222,8 +283,7 @@ mod tests {
             factor,
         };
         let number = |text: &str| Part::Number(text.to_owned());
-        let mut sources = settings.inputs[0].sources.clone();
-        sources.sort_by_key(|it| it.line);
+        let sources = settings.inputs[0].sources.clone();
         let sources: Vec<_> =
             sources.iter().map(|it| (it.target.as_str(), it.line, it.parts.clone())).collect();
         let expected = [

@@ -31,6 +31,8 @@ pub enum Kind {
     Replacements,
     /// A table for each entry point: its parameters, each with a source in a flight log.
     Inputs,
+    /// A table for each entry point: fields of topics, each with its value.
+    Outputs,
     /// A table: entry points, each with its period in seconds.
     Periods,
 }
@@ -294,6 +296,12 @@ pub const KEYS: &[Key] = &[
         kind: Kind::Inputs,
         default: "none",
         says: "The sources of an entry point's parameters in a flight log, for `verify --inputs` (docs/book/flight-logs.md).",
+    },
+    Key {
+        name: "outputs",
+        kind: Kind::Outputs,
+        default: "none",
+        says: "The topics of PX4 to which the results of an entry point go, in the module of `pack px4`; its parameters then come from the topics of `inputs` (docs/book/build-systems.md).",
     },
     Key {
         name: "periods",

@@ -16,6 +16,7 @@ mod generation;
 pub mod inputs;
 pub mod interface;
 pub mod keys;
+pub mod outputs;
 pub mod parameters;
 mod project;
 pub mod schema;

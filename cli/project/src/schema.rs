@@ -42,7 +42,7 @@ fn property(key: &Key) -> Value {
         Kind::Flag(_) => json!({ "type": "boolean" }),
         Kind::Number(most, _) => json!({ "type": "integer", "minimum": 0, "maximum": most }),
         Kind::Replacements => json!({ "type": "array", "items": { "type": "object" } }),
-        Kind::Inputs => {
+        Kind::Inputs | Kind::Outputs => {
             json!({ "type": "object", "additionalProperties": { "type": "object" } })
         }
         Kind::Periods => json!({
@@ -70,6 +70,9 @@ pub fn table() -> String {
             Kind::Replacements => "a list of tables, `[[replacements]]`".to_owned(),
             Kind::Inputs => {
                 "a table for each entry point, such as `[inputs.motor_step]`".to_owned()
+            }
+            Kind::Outputs => {
+                "a table for each entry point, such as `[outputs.motor_step]`".to_owned()
             }
             Kind::Periods => "a table of seconds, such as `motor_step = 0.001`".to_owned(),
         };

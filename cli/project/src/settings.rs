@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use bessemer_codegen::compile::Options;
 
 use crate::inputs::{Inputs, Period};
+use crate::outputs::Outputs;
 
 /// A user's decisions about the C of a package.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -25,6 +26,8 @@ pub struct Settings {
     pub limits: Limits,
     /// Sources of the inputs of entry points in flight logs.
     pub inputs: Vec<Inputs>,
+    /// Topics to which the results of entry points go.
+    pub outputs: Vec<Outputs>,
     /// Periods of entry points.
     pub periods: Vec<Period>,
 }

@@ -9,9 +9,12 @@ use bessemer_backend::c::interface::{Entry as Face, Interface, Parameter, Value}
 use bessemer_backend::c::names::Passing;
 use bessemer_codegen::compile::Compiled;
 use bessemer_project::firmware::{Call, argument, calls, declared};
+use bessemer_project::inputs::Inputs;
+use bessemer_project::outputs::Outputs;
 use bessemer_project::{Project, build_files};
 use serde::Serialize;
 
+use super::bridge::{Bridge, Mapped, Wrong};
 use super::fields::{Field, Fields, camel, small, snake, unique};
 
 /// Notation of a system for the fields of messages.
@@ -24,6 +27,8 @@ pub struct Style {
     pub kept: &'static str,
     /// Fields that the system adds to each message.
     pub taken: &'static [&'static str],
+    /// True if entry points can read and write topics of the system, as `bessemer.toml` maps them.
+    pub bridges: bool,
 }
 
 /// Names of variables in the templates.
@@ -72,6 +77,8 @@ pub struct Package {
     pub includes: Vec<String>,
     /// The components.
     pub components: Vec<Component>,
+    /// True if an entry point reads and writes topics of the system.
+    pub is_bridged: bool,
     /// Values that the pack leaves to its user.
     pub left_out: Vec<String>,
     /// The files for CMake and make, of systems without a format of their own.
@@ -107,6 +114,10 @@ pub struct Component {
     pub begun: Vec<Kept>,
     /// Headers of its entry points.
     pub headers: Vec<String>,
+    /// Topics whose headers the entry points need.
+    pub topics: Vec<String>,
+    /// True if an entry point reads and writes topics of the system.
+    pub is_bridged: bool,
     /// Entry points of the component.
     pub entries: Vec<Entry>,
 }
@@ -161,6 +172,10 @@ pub struct Entry {
     pub outputs: Vec<Field>,
     /// Places that no field holds.
     pub left_out: Vec<String>,
+    /// The topics of the system that it reads and writes, if the author maps them.
+    pub bridge: Option<Bridge>,
+    /// True if a fault is returned as a status.
+    pub has_status: bool,
     /// Definitions of static variables in an example.
     pub statics: String,
     /// Statements of an example that set them.
@@ -179,7 +194,10 @@ pub struct Local {
 }
 
 /// The data of a package.
-pub fn package(project: &Project, compiled: &Compiled, style: &Style) -> Package {
+///
+/// # Errors
+/// A mistake in the mapping to topics.
+pub fn package(project: &Project, compiled: &Compiled, style: &Style) -> Result<Package, Wrong> {
     let face = &compiled.interface;
     let name = compiled.module.name.replace('-', "_");
     let named = |end: &str| -> Vec<String> {
@@ -191,12 +209,15 @@ pub fn package(project: &Project, compiled: &Compiled, style: &Style) -> Package
     includes.sort_unstable();
     includes.dedup();
     let mut variables: BTreeSet<String> = LOCALS.iter().map(|it| (*it).to_owned()).collect();
-    let components: Vec<Component> = face
+    let maps = if style.bridges { Maps::of(project, face)? } else { Maps::default() };
+    let components = face
         .structs
         .iter()
         .filter(|it| it.component)
-        .filter_map(|it| component(compiled, (&it.name, &it.rust), style, &mut variables))
-        .collect();
+        .filter_map(|it| {
+            component(compiled, (&it.name, &it.rust), (style, &maps), &mut variables).transpose()
+        })
+        .collect::<Result<Vec<Component>, Wrong>>()?;
     let mut left_out = Vec::new();
     for entry in components.iter().flat_map(|it| &it.entries) {
         for place in &entry.left_out {
@@ -214,10 +235,11 @@ pub fn package(project: &Project, compiled: &Compiled, style: &Style) -> Package
     let options = &project.settings.options;
     let flags = build_files::flags(options);
     let builds = build_files::files(compiled, options).into_iter();
-    Package {
+    Ok(Package {
         upper: name.to_uppercase(),
         class: camel(&name),
         name,
+        is_bridged: components.iter().any(|it| it.is_bridged),
         version: project.package.version.clone(),
         license: compiled.license.clone(),
         flag_list: flags.split(' ').map(str::to_owned).collect(),
@@ -229,15 +251,60 @@ pub fn package(project: &Project, compiled: &Compiled, style: &Style) -> Package
         components,
         left_out,
         build_files: builds.map(|it| (format!("src/{}", it.name), it.text)).collect(),
+    })
+}
+
+/// The mapping to topics of the system.
+#[derive(Default)]
+struct Maps<'m> {
+    inputs: &'m [Inputs],
+    outputs: &'m [Outputs],
+}
+
+impl<'m> Maps<'m> {
+    /// Returns the mapping of a package; each of its tables has an entry point.
+    fn of(project: &'m Project, face: &Interface) -> Result<Self, Wrong> {
+        let settings = &project.settings;
+        let known: Vec<String> = calls(face).flat_map(|it| names(it.entry)).collect();
+        for table in &settings.outputs {
+            if !known.contains(&table.name) {
+                let (line, name) = (table.line, table.name.clone());
+                let known = calls(face).map(|it| format!("`{}`", it.entry.name));
+                let known = known.collect::<Vec<_>>().join(", ");
+                return Err(Wrong::Entry { line, name, known });
+            }
+        }
+        Ok(Self { inputs: &settings.inputs, outputs: &settings.outputs })
     }
+
+    /// Returns the bridge of an entry point with these fields; none if its outputs are not mapped.
+    fn bridge(
+        &self,
+        entry: &Face,
+        parameters: &[Field],
+        results: &[Field],
+    ) -> Result<Option<Bridge>, Wrong> {
+        let names = names(entry);
+        let outputs = names.iter().find_map(|name| self.outputs.iter().find(|it| it.name == *name));
+        let inputs = names.iter().find_map(|name| self.inputs.iter().find(|it| it.name == *name));
+        let mapped = outputs.map(|outputs| Mapped { inputs, outputs, parameters, results });
+        mapped.map(|it| it.bridge()).transpose()
+    }
+}
+
+/// Returns the names by which a table can be of an entry point: its own in C and in Rust, and its component's.
+fn names(entry: &Face) -> Vec<String> {
+    let component = entry.parameters.first().map(|it| it.value.ty.trim_end_matches("_t"));
+    let component = component.map(str::to_owned);
+    [entry.name.clone(), entry.rust.clone()].into_iter().chain(component).collect()
 }
 
 fn component(
     compiled: &Compiled,
     (ty, rust): (&str, &str),
-    style: &Style,
+    (style, maps): (&Style, &Maps<'_>),
     variables: &mut BTreeSet<String>,
-) -> Option<Component> {
+) -> Result<Option<Component>, Wrong> {
     let face = &compiled.interface;
     let name = ty.strip_suffix("_t").unwrap_or(ty).to_owned();
     let mut kept: Vec<(String, Kept)> = Vec::new();
@@ -253,8 +320,11 @@ fn component(
             kept.push((own.clone(), Kept { ty: value.ty.clone(), name, set_by }));
         }
     }
-    let entries: Vec<Entry> =
-        all.iter().map(|it| entry(compiled, it, &name, (&kept, style, variables))).collect();
+    let read = |it| entry(compiled, it, (&name, maps), (&kept, style, variables));
+    let entries = all.iter().map(read).collect::<Result<Vec<Entry>, Wrong>>()?;
+    let mut topics: Vec<String> = entries.iter().flat_map(topics).collect();
+    topics.sort_unstable();
+    topics.dedup();
     let mut headers: Vec<String> = entries.iter().map(|it| it.header.clone()).collect();
     headers.sort_unstable();
     headers.dedup();
@@ -263,7 +333,23 @@ fn component(
     let (upper, class) = (name.to_uppercase(), camel(&small(&name)));
     let rust = rust.rsplit("::").next().unwrap_or(rust).to_owned();
     let some = !entries.is_empty();
-    some.then_some(Component { name, upper, class, rust, kept, begun, headers, entries })
+    let is_bridged = entries.iter().any(|it| it.bridge.is_some());
+    let component =
+        Component { is_bridged, name, upper, class, rust, kept, begun, headers, topics, entries };
+    Ok(some.then_some(component))
+}
+
+/// Returns the topics whose headers an entry point needs.
+fn topics(entry: &Entry) -> Vec<String> {
+    let mut topics = vec![entry.output_topic.clone()];
+    match &entry.bridge {
+        Some(bridge) => {
+            topics.extend(bridge.topics.iter().map(|it| it.name.clone()));
+            topics.extend(bridge.messages.iter().map(|it| it.name.clone()));
+        }
+        None => topics.push(entry.input_topic.clone()),
+    }
+    topics
 }
 
 /// Returns true if a variable lives as long as the firmware: states, data with defaults, the memory that calls work in.
@@ -277,9 +363,9 @@ fn lives_long(face: &Interface, it: &Parameter) -> bool {
 fn entry(
     compiled: &Compiled,
     example: &Call<'_>,
-    component: &str,
+    (component, maps): (&str, &Maps<'_>),
     (kept, style, variables): (&[(String, Kept)], &Style, &BTreeSet<String>),
-) -> Entry {
+) -> Result<Entry, Wrong> {
     let (face, own) = (&compiled.interface, example.entry);
     let mut variables = variables.clone();
     let mut inputs = Fields::new(face, style.taken);
@@ -295,10 +381,10 @@ fn entry(
                 let line = declared(&name, &it.value);
                 locals.push(Local { line, name: name.clone() });
                 if it.passing != Passing::Output {
-                    inputs.add(&name, &it.value);
+                    inputs.add(&name, own, &it.value);
                 }
                 if matches!(it.passing, Passing::Output | Passing::InOut) {
-                    outputs.add(&name, &it.value);
+                    outputs.add(&name, own, &it.value);
                 }
                 name
             }
@@ -308,11 +394,11 @@ fn entry(
     let call = format!("{}({})", own.name, arguments.join(", "));
     let call = match (&own.result, own.status) {
         (Some(value), _) => {
-            outputs.add("result", value);
+            outputs.add("result", "result", value);
             format!("const {} result = {call};", value.ty)
         }
         (None, true) => {
-            outputs.add("status", &status());
+            outputs.add("status", "status", &status());
             format!("const int32_t status = (int32_t){call};")
         }
         (None, false) => format!("{call};"),
@@ -323,7 +409,10 @@ fn entry(
     left_out.extend(outputs.left_out);
     left_out.dedup();
     let stack = compiled.entries.iter().find(|it| it.entry == own.name);
-    Entry {
+    let bridge = maps.bridge(own, &inputs.all, &outputs.all)?;
+    Ok(Entry {
+        bridge,
+        has_status: own.result.is_none() && own.status,
         upper: own.name.to_uppercase(),
         rust: own.rust.clone(),
         docs: first_line(own),
@@ -345,7 +434,7 @@ fn entry(
         period: example.period("").lines().map(str::to_owned).collect(),
         name: own.name.clone(),
         class,
-    }
+    })
 }
 
 fn first_line(entry: &Face) -> String {

@@ -15,6 +15,8 @@ pub struct Field {
     pub name: String,
     /// Name of the field in capitalised words.
     pub class: String,
+    /// Path of its value from the parameter's name: as the place, under the author's name.
+    pub path: String,
     /// Place of its value in the C: `measurement.speed`.
     pub place: String,
     /// Type of an element in C; an `int32_t` for an enum.
@@ -50,6 +52,8 @@ const TYPES: &[(&str, &str, &str)] = &[
 pub struct Fields<'f> {
     face: &'f Interface,
     taken: BTreeSet<String>,
+    /// The variable of the present value in the C, and its name for the author.
+    root: (String, String),
     /// The fields.
     pub all: Vec<Field>,
     /// Places that no field holds.
@@ -60,11 +64,16 @@ impl<'f> Fields<'f> {
     /// Begins a message. `taken` are the names of the fields that the system adds.
     pub fn new(face: &'f Interface, taken: &[&str]) -> Fields<'f> {
         let taken = taken.iter().map(|it| (*it).to_owned()).collect();
-        Fields { face, taken, all: Vec::new(), left_out: Vec::new() }
+        Fields { face, taken, root: Default::default(), all: Vec::new(), left_out: Vec::new() }
     }
 
-    /// Adds a value by its place in the C.
-    pub fn add(&mut self, place: &str, value: &Value) {
+    /// Adds the value of a variable of the C, which the author calls `name`.
+    pub fn add(&mut self, variable: &str, name: &str, value: &Value) {
+        self.root = (variable.to_owned(), name.to_owned());
+        self.place(variable, value);
+    }
+
+    fn place(&mut self, place: &str, value: &Value) {
         let Some(of) = self.face.structure(&value.ty) else {
             return self.number(place, value);
         };
@@ -78,7 +87,7 @@ impl<'f> Fields<'f> {
             return self.left_out.push(place.to_owned());
         }
         for field in &of.fields {
-            self.add(&format!("{place}.{}", field.name), &field.value);
+            self.place(&format!("{place}.{}", field.name), &field.value);
         }
     }
 
@@ -125,7 +134,9 @@ impl<'f> Fields<'f> {
         let name = unique(&small(place), &mut self.taken);
         let (class, place, ty) = (camel(&name), place.to_owned(), ty.to_owned());
         let unit = value.unit.clone();
-        self.all.push(Field { name, class, place, ty, message, fpp, count, unit, choice });
+        let (variable, author) = &self.root;
+        let path = format!("{author}{}", place.strip_prefix(variable.as_str()).unwrap_or(&place));
+        self.all.push(Field { name, class, path, place, ty, message, fpp, count, unit, choice });
     }
 }
 

@@ -4,6 +4,7 @@
 //! Invariants: the folder is complete; the same C gives the same folder; a parameter that no message can contain is
 //! listed as omitted. The systems are data ([`systems`]). It must not know what the C computes.
 
+pub mod bridge;
 mod context;
 mod fields;
 mod systems;
@@ -26,7 +27,7 @@ pub fn run(folder: &Path, wanted: &Pack, colour: bool) -> Result<String, Error> 
     let (project, mut compiled) = compile(folder, package)?;
     compiled.files.extend(parameter_tables(&project, &compiled));
     let system = systems::form(wanted.system);
-    let context = context::package(&project, &compiled, &system.style);
+    let context = context::package(&project, &compiled, &system.style)?;
     let place = wanted.output.join(&context.name);
     if place.symlink_metadata().is_ok() {
         return Err(Error::Exists { folder: place });
@@ -61,7 +62,11 @@ fn rendered(template: &Template, package: &context::Package, next: &str) -> Vec<
     base.insert("next", next);
     let mut files = Vec::new();
     let mut add = |context: &Context| {
-        files.push((text(template.path, context), text(template.text, context)));
+        let (path, text) = (text(template.path, context), text(template.text, context));
+        // A file that an entry point does not need is empty.
+        if !text.is_empty() {
+            files.push((path, text));
+        }
     };
     match template.each {
         Each::Package => add(&base),

@@ -60,7 +60,8 @@ macro_rules! next {
 pub const COMMON: &[Template] = files![Package "README.md" "README.md.tera"];
 
 /// A C++ member or a field of a message, by its dot.
-const DOTS: Style = Style { input: "input.", output: "output.", kept: "", taken: &[] };
+const DOTS: Style =
+    Style { input: "input.", output: "output.", kept: "", taken: &[], bridges: false };
 
 /// A system whose files are examples and a description.
 const fn plain(templates: &'static [Template], next: &'static str) -> Form {
@@ -119,7 +120,7 @@ pub fn form(system: System) -> Form {
             next!("cmsis"),
         ),
         System::Px4 => Form {
-            style: Style { taken: &["timestamp"], ..DOTS },
+            style: Style { taken: &["timestamp"], bridges: true, ..DOTS },
             ..plain(
                 files![
                     Package "Kconfig" "px4/Kconfig.tera",
@@ -145,7 +146,7 @@ pub fn form(system: System) -> Form {
             )
         },
         System::FPrime => Form {
-            style: Style { input: "in_", output: "out_", kept: "_", taken: &[] },
+            style: Style { input: "in_", output: "out_", kept: "_", taken: &[], bridges: false },
             ..plain(
                 files![
                     Package "CMakeLists.txt" "fprime/CMakeLists.txt.tera",

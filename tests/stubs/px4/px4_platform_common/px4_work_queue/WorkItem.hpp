@@ -16,6 +16,7 @@ class WorkItem
 public:
 	WorkItem(const char *, const wq_config_t &) {}
 	virtual ~WorkItem() {}
+	void ScheduleNow() { Run(); }
 
 protected:
 	virtual void Run() = 0;
