@@ -138,7 +138,21 @@ impl Default for Watch {
 /// Names of the sources, in the order of their ages.
 const SOURCES: [&str; 4] = ["gyroscope", "motion capture", "height", "horizontal motion"];
 
+/// State of a source.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Health {
+    /// Name of the source.
+    pub name: &'static str,
+    /// Time of the loss, s; none while the source is there.
+    pub lost: Option<f64>,
+}
+
 impl Watch {
+    /// Returns the state of each source.
+    pub fn sources(&self) -> [Health; 4] {
+        std::array::from_fn(|n| Health { name: SOURCES[n], lost: self.sources[n].lost })
+    }
+
     /// Notes that a landing was commanded.
     pub fn land(&mut self) {
         self.landing = true;

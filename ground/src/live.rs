@@ -290,6 +290,7 @@ impl Live {
             planned: self.planned,
             battery: Charge::of(testbed.bench.battery()),
             recordings: self.hub.recordings(),
+            sensors: self.watch.sources().into(),
             checks: refusal::checks(&situation).into(),
             parameters: station.parameters.to_vec(),
             pages: self.hub.pages(),

@@ -118,6 +118,7 @@ fn fly(wanted: &Fly) -> Result<bool, Box<dyn Error>> {
 
     let folder = bessemer_legs::root().join("target/fly/recordings");
     std::fs::create_dir_all(&folder)?;
+    hub.keep_all(&folder);
     let mut live = Live::new(testbed, hub, asks, folder);
     add_tools(wanted, &mut live)?;
     if let Some(path) = &wanted.record {

@@ -4,13 +4,15 @@
 
 use crate::bench::{Injection, Timing};
 use crate::catalogue::{Parameter, Signal};
-use crate::events::Event;
+use crate::events::{Event, Health};
 use crate::radio::Counts;
 use crate::refusal::Check;
 use crate::station::{Down, Outcome};
 use models::receiver::Mode;
 use serde::{Deserialize, Serialize};
 use sim::battery::Battery;
+use std::path::Path;
+use std::time::UNIX_EPOCH;
 
 /// A setpoint from the page.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -196,6 +198,8 @@ pub enum Tell {
     Event(Event),
     /// State of the testbed.
     State(Box<State>),
+    /// All of a recorded flight, sent once.
+    Flight(Box<Flight>),
     /// Position of the player in a recorded flight.
     Playing(Playing),
     /// Right of this page to command.
@@ -222,6 +226,17 @@ pub enum Tell {
         /// The number from the ping.
         number: f64,
     },
+}
+
+/// A recorded flight, sampled evenly.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Flight {
+    /// Time of each sample since the testbed began, s.
+    pub times: Vec<f32>,
+    /// The numbers of the signals.
+    pub signals: Vec<u8>,
+    /// Samples of each signal, in the order of the signals.
+    pub columns: Vec<Vec<f32>>,
 }
 
 /// Position of the player in a recorded flight.
@@ -265,8 +280,10 @@ pub struct State {
     pub planned: bool,
     /// Battery of the simulated aircraft.
     pub battery: Charge,
-    /// Names of the recordings that can be downloaded, the oldest first.
-    pub recordings: Vec<String>,
+    /// Recordings that can be downloaded, the oldest first.
+    pub recordings: Vec<Saved>,
+    /// State of the aircraft's sensors.
+    pub sensors: Vec<Health>,
     /// Checks before arming.
     pub checks: Vec<Check>,
     /// Values of the parameters; `None` for those not received yet.
@@ -296,6 +313,29 @@ impl Charge {
     /// Returns the state of a battery.
     pub fn of(battery: &Battery) -> Self {
         Self { voltage: battery.voltage(), left: battery.left() }
+    }
+}
+
+/// A finished recording.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Saved {
+    /// Name of the file.
+    pub name: String,
+    /// Size of the file, bytes.
+    pub bytes: u64,
+    /// Time of its last change, s since 1970; 0 if the system does not say it.
+    pub written: f64,
+}
+
+impl Saved {
+    /// Returns the description of a file; none if its name is no text.
+    pub fn of(path: &Path) -> Option<Self> {
+        let name = path.file_name()?.to_str()?.to_owned();
+        let about = path.metadata().ok();
+        let written = about.as_ref().and_then(|it| it.modified().ok());
+        let written = written.and_then(|it| it.duration_since(UNIX_EPOCH).ok());
+        let bytes = about.map_or(0, |it| it.len());
+        Some(Self { name, bytes, written: written.map_or(0.0, |it| it.as_secs_f64()) })
     }
 }
 

@@ -6,7 +6,7 @@
 use crate::bench::Worked;
 use crate::catalogue::SIGNALS;
 use crate::events::Event;
-use crate::messages::{Ask, Playing, Tell};
+use crate::messages::{Ask, Flight, Playing, Tell};
 use crate::recorded::Recorded;
 use crate::recorder::{EVENTS, STEPS, event, step};
 use crate::replay::Error;
@@ -23,6 +23,9 @@ const DECIMATION: u64 = 4;
 
 /// Real time between two reports of the player's position to the page, s.
 const TOLD: f64 = 0.25;
+
+/// The most samples of a flight that are shown as a whole: two minutes at 50 Hz, and fewer a second beyond.
+const MOST_SAMPLES: usize = 6000;
 
 /// The greatest speed at which a flight is shown.
 const FASTEST: f64 = 16.0;
@@ -78,6 +81,7 @@ impl Player {
             None => Error::Empty { path: path.to_owned() },
         };
         let time = frames.first().ok_or_else(nothing)?.time;
+        hub.show(whole(&frames));
         Ok(Self { frames, missing, hub, asked: requests, time, speed: 1.0, next: 0, untold: TOLD })
     }
 
@@ -154,6 +158,22 @@ fn read(recorded: &Recorded, path: &Path) -> Result<Read, Error> {
         }
     }
     Ok(Read { frames, events, missing: recorded.missing })
+}
+
+/// Returns a flight with as many samples as a page draws.
+fn whole(frames: &[Frame]) -> Flight {
+    let every = frames.len().div_ceil(MOST_SAMPLES).max(1);
+    let mut flight = Flight {
+        signals: SIGNALS.iter().map(|signal| signal.number).collect(),
+        columns: vec![Vec::new(); SIGNALS.len()],
+        ..Flight::default()
+    };
+    for frame in frames.iter().step_by(every) {
+        let Tell::Frame { values, .. } = &frame.tell else { continue };
+        flight.times.push(frame.time as f32);
+        flight.columns.iter_mut().zip(values).for_each(|(column, value)| column.push(*value));
+    }
+    flight
 }
 
 /// Returns the message of a step with every signal.

@@ -13,7 +13,7 @@
 use crate::command::{Command, Seat};
 use crate::events::Event;
 use crate::limited::Limited;
-use crate::messages::{Ask, Tell};
+use crate::messages::{Ask, Flight, Saved, Tell};
 use crate::page;
 use axum::Router;
 use axum::body::Body;
@@ -28,7 +28,7 @@ use std::net::SocketAddr;
 use std::path::{Path as FilePath, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{SyncSender, TrySendError};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, OnceLock};
 use tokio::net::TcpListener;
 use tokio::sync::broadcast::{self, error::RecvError};
 use tokio_util::io::ReaderStream;
@@ -41,6 +41,9 @@ const MOST_CONNECTIONS: usize = 512;
 
 /// The most pages among them: the others are for files.
 const MOST_PAGES: usize = 256;
+
+/// The most recordings that are listed.
+const MOST_RECORDINGS: usize = 20;
 
 /// Events that a page receives when it opens.
 const MOST_EVENTS: usize = 200;
@@ -64,7 +67,9 @@ pub struct Hub {
     /// True if a client commands the motors to stop. It is never rejected, however long the queue is.
     stop: AtomicBool,
     /// The recordings, the oldest first.
-    recordings: Mutex<Vec<PathBuf>>,
+    recordings: Mutex<Vec<(PathBuf, Saved)>>,
+    /// A recorded flight, which a page receives when it opens.
+    flight: OnceLock<Utf8Bytes>,
     /// Number of all events, and the last of them as messages.
     events: Mutex<(usize, VecDeque<Utf8Bytes>)>,
 }
@@ -88,6 +93,7 @@ impl Hub {
             skipped: AtomicU64::new(0),
             stop: AtomicBool::new(false),
             recordings: Mutex::default(),
+            flight: OnceLock::new(),
             events: Mutex::default(),
         }))
     }
@@ -151,25 +157,45 @@ impl Hub {
         self.stop.swap(false, Ordering::Relaxed)
     }
 
-    /// Adds a file that can be downloaded.
+    /// Adds a file that can be downloaded. Beyond a number, the oldest is not listed any more.
     pub fn keep(&self, recording: PathBuf) {
+        let Some(saved) = Saved::of(&recording) else { return };
         if let Ok(mut recordings) = self.recordings.lock() {
-            recordings.retain(|it| *it != recording);
-            recordings.push(recording);
+            recordings.retain(|(it, _)| *it != recording);
+            recordings.push((recording, saved));
+            let more = recordings.len().saturating_sub(MOST_RECORDINGS);
+            recordings.drain(..more);
         }
     }
 
-    /// Returns the names of the files that can be downloaded, the oldest first.
-    pub fn recordings(&self) -> Vec<String> {
+    /// Adds the recordings in a folder, in the order of their changes.
+    pub fn keep_all(&self, folder: &FilePath) {
+        let files = std::fs::read_dir(folder).into_iter().flatten().flatten();
+        let mcap =
+            files.map(|it| it.path()).filter(|it| it.extension().is_some_and(|it| it == "mcap"));
+        let mut found: Vec<(PathBuf, Saved)> =
+            mcap.filter_map(|path| Saved::of(&path).map(|saved| (path, saved))).collect();
+        found.sort_by(|(_, one), (_, other)| one.written.total_cmp(&other.written));
+        found.into_iter().for_each(|(path, _)| self.keep(path));
+    }
+
+    /// Returns the files that can be downloaded, the oldest first.
+    pub fn recordings(&self) -> Vec<Saved> {
         let Ok(recordings) = self.recordings.lock() else { return Vec::new() };
-        recordings.iter().filter_map(|it| name(it)).collect()
+        recordings.iter().map(|(_, saved)| saved.clone()).collect()
+    }
+
+    /// Sets the recorded flight that each page receives when it opens.
+    pub fn show(&self, flight: Flight) {
+        let _ = self.flight.set(text(&Tell::Flight(Box::new(flight))).into());
     }
 
     /// Returns the path of a recording by its name; of the last one without a name.
     fn recording(&self, wanted: Option<&str>) -> Option<PathBuf> {
         let recordings = self.recordings.lock().ok()?;
         let mut newest = recordings.iter().rev();
-        newest.find(|it| wanted.is_none() || name(it).as_deref() == wanted).cloned()
+        let found = newest.find(|(_, saved)| wanted.is_none_or(|wanted| saved.name == wanted));
+        found.map(|(path, _)| path.clone())
     }
 }
 
@@ -223,11 +249,6 @@ async fn file(Path(name): Path<String>) -> Response {
         ),
     ];
     (headers, content).into_response()
-}
-
-/// Returns the name of a file, if it is text.
-fn name(path: &FilePath) -> Option<String> {
-    path.file_name()?.to_str().map(str::to_owned)
 }
 
 /// Serves the last recording to a client with the token.
@@ -325,8 +346,11 @@ async fn attend(mut socket: WebSocket, hub: &Hub) {
     let seat = hub.seat();
     let mut news = hub.news.subscribe();
     let (mut trusted, mut held, mut seen) = (false, false, 0);
-    if socket.send(Message::Text(hub.hello.clone().into())).await.is_err() {
-        return;
+    let first = [Some(hub.hello.clone().into()), hub.flight.get().cloned()];
+    for message in first.into_iter().flatten() {
+        if socket.send(Message::Text(message)).await.is_err() {
+            return;
+        }
     }
     loop {
         let mut messages = hub.events(&mut seen);
@@ -423,4 +447,31 @@ fn is_same(one: &str, other: &str) -> bool {
 /// Converts a message to JSON. Numbers that are not finite become null.
 fn text(tell: &Tell) -> String {
     serde_json::to_string(tell).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::mpsc::sync_channel;
+    use std::time::Duration;
+
+    #[test]
+    fn earlier_recordings_are_listed_by_their_age_and_not_without_end() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let begun = std::time::SystemTime::UNIX_EPOCH + Duration::from_secs(1_700_000_000);
+        for age in 0..25_u64 {
+            // The younger it is, the earlier in the alphabet.
+            let path = folder.path().join(format!("flight-{:02}.mcap", 99 - age));
+            let file = std::fs::File::create(&path).expect("the folder");
+            file.set_modified(begun + Duration::from_secs(age)).expect("a file");
+        }
+        std::fs::write(folder.path().join("notes.txt"), "").expect("the folder");
+        let (requests, _queue) = sync_channel(1);
+        let hub = Hub::new(requests, &Tell::Pong { number: 0.0 }).expect("random bytes");
+        hub.keep_all(folder.path());
+        let names: Vec<String> = hub.recordings().into_iter().map(|it| it.name).collect();
+        let expected: Vec<String> =
+            (5..25).map(|age| format!("flight-{:02}.mcap", 99 - age)).collect();
+        assert_eq!(names, expected);
+    }
 }

@@ -13,11 +13,13 @@ mod conditions;
 
 use browser::Browser;
 use conditions::Conditions;
+use ground::events::{Event, Severity};
 use ground::live::{self, Live};
 use ground::player::Player;
 use ground::program::{Program, Target};
 use ground::server::{self, Hub};
 use ground::testbed::{Pace, Testbed, Wanted};
+use sim::Aircraft;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
@@ -33,12 +35,16 @@ struct Running {
 
 impl Running {
     fn start(pace: Pace) -> Self {
+        Self::flying(Aircraft::Mambo, pace)
+    }
+
+    fn flying(aircraft: Aircraft, pace: Pace) -> Self {
         let program = Program::build(&bessemer_legs::root(), Target::Native)
             .unwrap_or_else(|error| panic!("{error}"));
-        let testbed = Testbed::start(&program, &Wanted { pace, ..Wanted::default() })
+        let testbed = Testbed::start(&program, &Wanted { aircraft, pace, ..Wanted::default() })
             .unwrap_or_else(|error| panic!("{error}"));
         let (asked, asks) = live::queue();
-        let hub = Hub::new(asked, &live::hello(sim::Aircraft::Mambo, false)).expect("random bytes");
+        let hub = Hub::new(asked, &live::hello(aircraft, false)).expect("random bytes");
         let served = server::start(([127, 0, 0, 1], 0).into(), hub.clone()).expect("a port");
         let folder = tempfile::tempdir().expect("a folder");
         let address = format!("http://{served}/#token={}", hub.token());
@@ -149,6 +155,57 @@ fn the_page_flies_the_aircraft() {
     assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");
 }
 
+#[test]
+fn the_page_shows_six_motors_and_fits_a_phone() {
+    if !is_asked_for() {
+        return;
+    }
+    let running = Running::flying(Aircraft::F550, Pace::Patient);
+    let mut browser = Browser::start();
+    browser.size(390, 844);
+    browser.go(&running.address);
+    browser.until("document.body.dataset.commands === 'true'");
+    browser.until("document.body.dataset.phase === 'disarmed'");
+    // STOP is as wide as the screen, at its lower edge, and actions come before pictures.
+    let stop = browser.see(
+        "(() => { const { left, right, bottom } = document.querySelector('#stop').getBoundingClientRect(); return [left, right, bottom]; })()",
+    );
+    assert_eq!(stop, serde_json::json!([8, 382, 836]));
+    let top = "document.querySelector('{}').getBoundingClientRect().top";
+    let first = |one: &str, other: &str| {
+        format!("{} < {}", top.replace("{}", one), top.replace("{}", other))
+    };
+    assert_eq!(browser.see(&first("#flight", "#scene")), true);
+    assert_eq!(browser.see(&first("#scene", "#plots")), true);
+    let overflow = "document.documentElement.scrollWidth - innerWidth";
+    assert_eq!(browser.see(overflow), 0);
+    picture(&mut browser, "phone");
+
+    browser.size(1500, 1150);
+    assert_eq!(browser.see("document.querySelectorAll('#motors .motor').length"), 6);
+    assert_eq!(browser.see("document.querySelectorAll('#motor option').length"), 7);
+    browser.until("document.querySelectorAll('#checks .good').length === 5");
+    browser.until("document.querySelector('#armed').innerText === 'disarmed'");
+    browser.press("m");
+    browser.until("document.querySelector('#armed').innerText === 'armed'");
+    browser.until("document.querySelector('#parameter-0').value === '16'");
+    browser.click("#fly", (0.5, 0.5));
+    browser.until("document.querySelector('#log').innerText.includes('trajectory: done')");
+    browser.press("t");
+    browser.until("document.querySelector('#armed').innerText === 'running'");
+    browser.until("document.querySelector('#planned').innerText === 'is flown: point 1 of 1'");
+    browser.until(
+        "[...document.querySelectorAll('#motors b')].every((it) => Number(it.innerText) > 100)",
+    );
+    browser.until("Number(document.body.dataset.height) > 0.9");
+    browser.click("#vicon", (0.5, 0.5));
+    browser.until(
+        "document.querySelector('#sensors .bad').innerText.startsWith('motion capture lost for ')",
+    );
+    picture(&mut browser, "hexacopter");
+    assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");
+}
+
 /// Selector of everything that the tabulator must reach.
 const CONTROLS: &str = "[...document.querySelectorAll('button, input, select, summary, a[href], [tabindex]')]\
     .filter((it) => !it.disabled && it.checkVisibility())";
@@ -251,7 +308,7 @@ fn the_page_is_used_by_keys_alone() {
     browser.until("document.querySelector('#record').innerText === 'Stop recording'");
     browser.press("Enter");
     browser.until("document.querySelectorAll('#recordings a').length === 1");
-    browser.until("document.querySelector('#sensors').innerText === 'good'");
+    browser.until("document.querySelectorAll('#sensors .good').length === 4");
     browser.until("document.querySelector('#battery').innerText.includes(' %, ')");
 
     // Other signals come down.
@@ -358,7 +415,11 @@ fn played(path: &std::path::Path) -> String {
     let mut recorder =
         ground::recorder::Recorder::start(path.to_owned(), sim::Aircraft::Mambo, None, true)
             .unwrap_or_else(|error| panic!("{error}"));
-    let run = testbed.run_until(2.0, |done, _| recorder.take(done, Vec::new()));
+    let happened = Event { time: 1.0, severity: Severity::Warning, text: "height lost".into() };
+    let run = testbed.run_until(2.0, |done, _| {
+        let now = done.number == 200;
+        recorder.take(done, now.then(|| happened.clone()).into_iter().collect());
+    });
     run.unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(recorder.finish().error, None);
 
@@ -389,11 +450,19 @@ fn the_page_shows_a_recording() {
     browser.go(&address);
     browser.until("document.body.dataset.commands === 'true'");
     browser.until("document.querySelector('#link').innerText === 'recording'");
+    // The whole flight is there before it is played: two seconds of 50 samples.
+    browser.until("document.body.dataset.samples === '100'");
+    // The events are in the column of the commands, and lead to their time.
+    browser.until("document.querySelector('#middle #events button') !== null");
+    assert_eq!(browser.see("document.querySelector('#flight').checkVisibility()"), false);
     browser.click("#play", (0.5, 0.5));
     browser.until("document.querySelector('#play').innerText === 'Play'");
     browser.see("const at = document.querySelector('#at'); at.value = 1.5; at.dispatchEvent(new Event('input'))");
     browser.until("document.body.dataset.playing === '1.50'");
     browser.until("document.body.dataset.phase === 'disarmed'");
+    browser.click("#events button", (0.5, 0.5));
+    browser.until("document.body.dataset.playing === '1.00'");
+    picture(&mut browser, "recording");
     browser.click("#play", (0.5, 0.5));
     browser.until("Number(document.body.dataset.playing) > 1.9");
     assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");

@@ -399,6 +399,11 @@ fn a_flight_that_is_over_is_shown_again() {
     let mut player = Player::open(&path, hub.clone(), asks).expect("a recording");
     let address = server::start(([127, 0, 0, 1], 0).into(), hub.clone()).expect("a port");
     let mut page = page_from(address, None).unwrap_or_else(|status| panic!("{status:?}"));
+    // The whole flight comes first: 50 samples a second of each signal.
+    let flight = page.hear("flight");
+    let lengths = |it: &Value| it.as_array().map(Vec::len);
+    assert_eq!((lengths(&flight["times"]), lengths(&flight["columns"][0])), (Some(101), Some(101)));
+    assert_eq!((lengths(&flight["signals"]), lengths(&flight["columns"])), (Some(57), Some(57)));
     assert!(page.claim(hub.token(), false));
     page.settle();
     player.step(0.0);
@@ -551,8 +556,20 @@ fn a_recording_is_made_and_downloaded() {
     let answer = served.get(&format!("GET /flight.mcap?token={token}"));
     assert!(answer.starts_with("HTTP/1.1 200") && answer.contains("MCAP0"));
     let state = page.state(|state| state["time"].as_f64().is_some_and(|time| time > 1.5));
-    let name = state["recordings"][0].as_str().unwrap_or_default().to_owned();
+    let name = state["recordings"][0]["name"].as_str().unwrap_or_default().to_owned();
     assert!(name.starts_with("flight-") && name.ends_with(".mcap"), "{state}");
+    let file = served.folder.path().join(&name);
+    let length = file.metadata().expect("the file").len();
+    assert_eq!(state["recordings"][0]["bytes"], length);
+    assert!(state["recordings"][0]["written"].as_f64().is_some_and(|it| it > 1.7e9), "{state}");
+    let names: Vec<&str> = state["sensors"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter_map(|it| it["name"].as_str())
+        .collect();
+    assert_eq!(names, ["gyroscope", "motion capture", "height", "horizontal motion"]);
+    assert!(state["sensors"].as_array().is_some_and(|it| it.iter().all(|it| it["lost"].is_null())));
     let path = format!("GET /recordings/{name}");
     let answer = served.get(&format!("{path}?token={token}"));
     assert!(answer.starts_with("HTTP/1.1 200") && answer.contains("MCAP0"));

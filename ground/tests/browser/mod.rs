@@ -107,6 +107,12 @@ impl Browser {
         self.ask("Emulation.setEmulatedMedia", &json!({ "features": feature }));
     }
 
+    /// Shows the page on a screen of this size, in pixels.
+    pub fn size(&mut self, width: u32, height: u32) {
+        let screen = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 700 });
+        self.ask("Emulation.setDeviceMetricsOverride", &screen);
+    }
+
     /// Returns the value of an expression on the page.
     pub fn see(&mut self, expression: &str) -> Value {
         let asked = json!({ "expression": expression, "returnByValue": true });

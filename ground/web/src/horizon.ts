@@ -6,6 +6,9 @@ import { onResize } from "./resize";
 /** Pitch from the middle of the dial to its edge, rad. */
 const PITCH = 0.6;
 
+/** Height of the tape with the heading, px. */
+const TAPE = 22;
+
 export class Horizon {
   private roll = 0;
   private pitch = 0;
@@ -23,7 +26,7 @@ export class Horizon {
 
   private draw(): void {
     const { canvas } = this;
-    const scale = Math.min(devicePixelRatio, 2), width = canvas.clientWidth * scale, tape = 18 * scale;
+    const scale = Math.min(devicePixelRatio, 2), width = canvas.clientWidth * scale, tape = (TAPE + 18) * scale;
     if (canvas.width !== width) [canvas.width, canvas.height] = [width, width + tape];
     const paper = canvas.getContext("2d");
     if (!paper || width === 0) return;
@@ -64,10 +67,38 @@ export class Horizon {
     paper.moveTo(middle, middle);
     paper.arc(middle, middle, scale, 0, 2 * Math.PI);
     paper.stroke();
+    this.tape(paper, scale, middle, width);
+  }
+
+  /** The heading, on a tape that moves behind a mark: the room's x is 0\u00b0, counted clockwise. */
+  private tape(paper: CanvasRenderingContext2D, scale: number, middle: number, top: number): void {
+    const degrees = this.heading * 180 / Math.PI, pixels = middle / 60, edge = top + 4 * scale;
+    paper.save();
+    paper.beginPath();
+    paper.rect(0, top, 2 * middle, TAPE * scale);
+    paper.clip();
+    paper.strokeStyle = paper.fillStyle = css("--ink");
+    paper.lineWidth = scale;
+    paper.font = `${9 * scale}px system-ui`;
+    paper.textAlign = "center";
+    paper.beginPath();
+    for (let mark = 10 * Math.ceil((degrees - 60) / 10); mark <= degrees + 60; mark += 10) {
+      const x = middle + (mark - degrees) * pixels;
+      paper.moveTo(x, edge);
+      paper.lineTo(x, edge + (mark % 30 === 0 ? 6 : 3) * scale);
+      if (mark % 30 === 0) paper.fillText(`${(mark % 360 + 360) % 360}`, x, edge + 15 * scale);
+    }
+    paper.stroke();
+    paper.restore();
+    paper.fillStyle = css("--wanted");
+    paper.beginPath();
+    paper.moveTo(middle, edge);
+    paper.lineTo(middle - 4 * scale, top);
+    paper.lineTo(middle + 4 * scale, top);
+    paper.fill();
     paper.fillStyle = css("--ink");
     paper.font = `600 ${11 * scale}px system-ui`;
     paper.textAlign = "center";
-    const degrees = Math.round(this.heading * 180 / Math.PI) || 0;
-    paper.fillText(`yaw ${degrees}\u00b0`, middle, width + tape - 5 * scale);
+    paper.fillText(`heading ${(Math.round(degrees) % 360 + 360) % 360}\u00b0`, middle, top + (TAPE + 13) * scale);
   }
 }

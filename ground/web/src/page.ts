@@ -7,14 +7,12 @@ import { Horizon } from "./horizon";
 import { Plan } from "./plan";
 import { Plots } from "./plots";
 import { ALARM, CLOSED_LOOP, FEED_FORWARD, PHASE, ROLL, TAKEN, TIME, WANTED, X, Y, YAW, Z } from "./protocol";
-import type { Ask, Frame, Happened, Hello, Playing, Point, State, Tell } from "./protocol";
+import type { Ask, Flight, Frame, Happened, Hello, Playing, Point, Saved, State, Tell } from "./protocol";
 import { Scene } from "./scene";
 import { Socket } from "./socket";
 import { pilot } from "./sticks";
 
 const MODES = ["closed loop", "feed-forward", "manual"];
-/** Largest speed of a motor, rad/s: of the Mambo. */
-const FASTEST = 2631;
 
 function get<T extends HTMLElement>(id: string): T {
   const found = document.getElementById(id);
@@ -40,6 +38,7 @@ const plots = new Plots(get("plots"), (paused) => {
 const horizon = new Horizon(get<HTMLCanvasElement>("horizon"));
 const scene = new Scene(get<HTMLCanvasElement>("scene"));
 let hello: Hello | undefined;
+let bars: { bar: HTMLElement; closed: HTMLElement; forward: HTMLElement; text: HTMLElement }[] = [];
 let commands = false;
 /** Whether this page commands as soon as nobody else does. */
 let waits = false;
@@ -69,6 +68,7 @@ function take(tell: Tell): void {
     case "hello": return begin(tell);
     case "frame": return frame(tell);
     case "state": return state(tell);
+    case "flight": return flight(tell);
     case "playing": return playing(tell);
     case "command": return granted(tell.granted, tell.reason);
     // One that failed is an event, too.
@@ -83,7 +83,11 @@ function begin(tell: Hello): void {
   hello = tell;
   // The events until now follow.
   get("events").replaceChildren();
+  plots.forget();
   plan.space = tell.space[0];
+  craft(tell.motors);
+  get<HTMLInputElement>("wind").max = `${tell.wind}`;
+  get<HTMLInputElement>("wind").step = `${tell.wind / 30}`;
   list();
   const seal = get("seal");
   seal.textContent = tell.authenticated ? "authenticated" : "unauthenticated";
@@ -100,7 +104,8 @@ function begin(tell: Hello): void {
     });
     const cell = make("td");
     cell.append(input);
-    row.append(make("th", it.name), cell, make("td", it.unit), make("td", [it.choices.length > 0 ? "" : `${it.least} … ${it.most}`, it.in_flight ? "" : "on the ground"].filter(Boolean).join(", "), { class: "hint" }));
+    row.append(make("th", it.name), cell, make("td", it.unit), make("td", it.choices[it.initial] ?? `${it.initial}`),
+      make("td", [it.choices.length > 0 ? "" : `${it.least} … ${it.most}`, it.in_flight ? "" : "on the ground"].filter(Boolean).join(", "), { class: "hint" }));
     return row;
   }));
   const plotted = get("plotted");
@@ -111,6 +116,17 @@ function begin(tell: Hello): void {
     label.append(box, ` ${it.name}${it.unit ? `, ${it.unit}` : ""}`);
     return label;
   }));
+}
+
+/** All of a recorded flight: its plots, and its way in the plan. */
+function flight(tell: Flight): void {
+  history.fill(tell);
+  const [x, y] = [X, Y].map((signal) => tell.columns[tell.signals.indexOf(signal)] ?? []);
+  const way = tell.times.map((_, n): [number, number] => [x?.[n] ?? NaN, y?.[n] ?? NaN]);
+  plan.recorded = way.filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
+  document.body.dataset["samples"] = `${tell.times.length}`;
+  get("span").closest("label")!.hidden = true;
+  plots.show(history);
 }
 
 function frame(tell: Frame): void {
@@ -132,7 +148,7 @@ function state(tell: State): void {
   }
   mode = tell.mode == null ? "" : MODES[tell.mode] ?? "";
   get("mode").textContent = mode || "–";
-  get("planned").textContent = flies() ? "is flown" : tell.planned ? "is on board: flown after the take-off" : "not sent since the last flight";
+  get("planned").textContent = flies() ? progress() : tell.planned ? "is on board: flown after the take-off" : "was not sent since the last flight";
   get("checks").replaceChildren(...tell.checks.map(({ name, known, problem }) =>
     make("li", `${name}: ${problem ?? (known ? "passed" : "not received")}`, { class: problem ? "bad" : known ? "good" : "poor" })));
   get("checks").hidden = flies();
@@ -144,12 +160,11 @@ function state(tell: State): void {
   });
   values = tell.parameters;
   get("modified").textContent = `${document.querySelectorAll("#parameters .modified").length}`;
-  const { battery, checks } = tell;
+  const { battery } = tell;
   get("battery").textContent = `${fixed(100 * battery.left, 0)} %, ${fixed(battery.voltage, 2)} V`;
   get("battery").className = battery.left > 0.3 ? "good" : battery.left > 0.15 ? "poor" : "bad";
-  const failed = checks.filter((it) => ["motion capture", "height sensor"].includes(it.name) && (it.problem || !it.known));
-  get("sensors").textContent = failed.length === 0 ? "good" : failed.map((it) => `${it.name} ${it.known ? "lost" : "unknown"}`).join(", ");
-  get("sensors").className = failed.length === 0 ? "good" : failed.some((it) => it.known) ? "bad" : "poor";
+  get("sensors").replaceChildren(...tell.sensors.map(({ name, lost }) =>
+    make("li", lost == null ? name : `${name} lost for ${fixed(tell.time - lost, 0)} s`, { class: lost == null ? "good" : "bad" })));
   recordings(tell.recordings);
   const { recording, timing, up, down, heard, counts } = tell;
   get("record").textContent = recording.running ? "Stop recording" : "Record";
@@ -172,15 +187,38 @@ function state(tell: State): void {
   get("counts").replaceChildren(...rows.flatMap(([name, value]) => [make("dt", name), make("dd", value)]));
 }
 
-/** The recordings that can be downloaded; they are drawn anew only when there are others. */
+/** Makes what depends on the number of motors. */
+function craft(motors: number): void {
+  if (bars.length === motors) return;
+  bars = Array.from({ length: motors }, (_, n) => {
+    const bar = make("div", "", { class: "motor" }), closed = make("i", "", { class: "closed" }), forward = make("i", "", { class: "forward" });
+    bar.append(make("span", `motor ${n + 1}`), forward, closed, make("b"));
+    return { bar, closed, forward, text: bar.lastChild as HTMLElement };
+  });
+  get("motors").replaceChildren(...bars.map((it) => it.bar));
+  get("motor").replaceChildren(make("option", "all run", { value: "" }),
+    ...bars.map((_, n) => make("option", `${n + 1} stops`, { value: `${n}` })));
+  plots.craft = motors;
+  scene.motors = motors;
+}
+
+/** Which point of the trajectory is flown, and for how long. */
+function progress(): string {
+  const time = history.now[TIME] ?? NaN, points = plan.course, reached = Plan.reached(points, time), next = points[reached];
+  if (points.length === 0 || !Number.isFinite(time)) return "is flown";
+  return `is flown: point ${Math.max(reached, 1)} of ${points.length}${next ? `, the next in ${fixed(next.time - time, 0)} s` : ""}`;
+}
+
+/** The recordings that can be downloaded, the newest first; they are drawn anew only when there are others. */
 let listed = "";
-function recordings(names: string[]): void {
-  const now = names.join();
+function recordings(saved: Saved[]): void {
+  const now = JSON.stringify(saved);
   if (now === listed || !socket.trusted) return;
   listed = now;
-  get("recordings").replaceChildren(...names.map((name) => {
-    const line = make("li");
-    line.append(make("a", name, { href: `recordings/${encodeURIComponent(name)}?token=${socket.token}`, download: name }));
+  get("recordings").replaceChildren(...saved.reverse().map(({ name, bytes, written }) => {
+    const line = make("li"), at = written > 0 ? `, ${new Date(1000 * written).toLocaleString()}` : "";
+    line.append(make("a", name, { href: `recordings/${encodeURIComponent(name)}?token=${socket.token}`, download: name }),
+      make("span", ` ${fixed(bytes / 1e6, 1)} MB${at}`, { class: "hint" }));
     return line;
   }));
 }
@@ -199,6 +237,7 @@ function playing(tell: Playing): void {
   [at.min, at.max] = [`${tell.from}`, `${tell.to}`];
   if (!at.matches(":active")) at.value = `${tell.time}`;
   get("at-is").textContent = `${fixed(tell.time, 1)} of ${fixed(tell.to, 1)} s`;
+  plots.played = tell.time;
 }
 
 /** Whether the aircraft is in a phase with motors on. */
@@ -239,6 +278,7 @@ function granted(is: boolean, reason: string): void {
 
 function happened(event: Happened): void {
   const { time, severity, text } = event;
+  plots.mark(time, severity);
   const line = make("li", "", { class: severity });
   const at = make("button", `${fixed(time, 1)} s`, { type: "button", class: "quiet", title: "Go to this time of a recording" });
   at.addEventListener("click", () => { if (!get("player").hidden) ask("seek", { time }); });
@@ -259,13 +299,6 @@ function say(text: string, bad = false): void {
 
 // --- what is drawn ---
 
-const bars = Array.from({ length: 4 }, (_, n) => {
-  const bar = make("div", "", { class: "motor" }), closed = make("i", "", { class: "closed" }), forward = make("i", "", { class: "forward" });
-  bar.append(make("span", `motor ${n + 1}`), forward, closed, make("b"));
-  get("motors").append(bar);
-  return { closed, forward, text: bar.lastChild as HTMLElement };
-});
-
 function draw(): void {
   requestAnimationFrame(draw);
   if (!fresh) return;
@@ -279,6 +312,8 @@ function draw(): void {
   document.body.dataset["place"] = `${fixed(now[X], 2)},${fixed(now[Y], 2)}`;
   get("phase").textContent = phase;
   get("phase").className = phase === "hold" ? "poor" : "";
+  get("armed").textContent = phase === "–" ? "–" : phase === "disarmed" ? "disarmed" : flies() ? "running" : "armed";
+  get("armed").className = phase === "disarmed" || phase === "–" ? "" : "poor";
   get("alarm").textContent = alarm === "clear" ? "none" : alarm;
   get("alarm").className = alarm === "clear" ? "good" : "bad";
   const wanted: [number, number, number] = [now[WANTED] ?? 0, now[WANTED + 1] ?? 0, now[WANTED + 2] ?? 0];
@@ -286,11 +321,12 @@ function draw(): void {
   scene.show(now, history.truth, wanted);
   horizon.show(now[ROLL] ?? 0, now[ROLL + 1] ?? 0, now[YAW] ?? 0);
   plan.show([now[X] ?? 0, now[Y] ?? 0], now[YAW] ?? 0, [wanted[0], wanted[1]], flies() ? now[TIME] ?? NaN : NaN);
-  plots.show(history);
+  if (!history.recorded) plots.show(history);
+  const fastest = hello?.fastest ?? 1;
   bars.forEach(({ closed, forward, text }, n) => {
     const [own, given] = [Math.abs(now[CLOSED_LOOP + n] ?? 0), Math.abs(now[FEED_FORWARD + n] ?? 0)];
-    forward.style.width = `${100 * given / FASTEST}%`;
-    closed.style.width = `${100 * own / FASTEST}%`;
+    forward.style.width = `${100 * given / fastest}%`;
+    closed.style.width = `${100 * own / fastest}%`;
     text.textContent = fixed(own + given, 0);
   });
 }
@@ -437,7 +473,7 @@ get("vicon").addEventListener("change", (event) => inject("vicon", { away: (even
 get("wind").addEventListener("input", (event) => {
   const force = Number((event.target as HTMLInputElement).value);
   get("wind-is").textContent = `${fixed(force * 1000, 0)} mN`;
-  inject("wind", { force: [force, 0], gusts: 0.001 + force / 4 });
+  inject("wind", { force: [force, 0], gusts: (hello?.wind ?? 0) / 30 + force / 4 });
 });
 get("loss").addEventListener("input", (event) => {
   const loss = Number((event.target as HTMLInputElement).value);

@@ -18,6 +18,8 @@ export class Plan {
   private yaw = 0;
   private readonly trail: [number, number][] = [];
   private points: Point[] = [];
+  /** The whole way of a recorded flight. */
+  private way: [number, number][] = [];
   /** Time since the take-off, s; not a number on the ground. */
   private time = NaN;
 
@@ -50,6 +52,7 @@ export class Plan {
   set space(reach: number) { this.reach = reach; this.draw(); }
 
   /** Points of the trajectory on board. */
+  get course(): Point[] { return this.points; }
   set course(points: Point[]) { this.points = points.map((point) => ({ ...point })); this.draw(); }
 
   show(at: [number, number], yaw: number, wanted: [number, number], time: number): void {
@@ -58,6 +61,14 @@ export class Plan {
     if (this.trail.length > LONGEST) this.trail.shift();
     [this.at, this.yaw, this.wanted, this.time] = [at, yaw, wanted, time];
     this.draw();
+  }
+
+  /** Shows the whole way of a recorded flight. */
+  set recorded(way: [number, number][]) { this.way = way; this.draw(); }
+
+  /** Number of the point that is flown to at a time since the take-off, s, from 1; 0 before the first, or without points. */
+  static reached(points: Point[], time: number): number {
+    return points.filter((point) => point.time <= time).length;
   }
 
   /** Begins a new trail. */
@@ -104,6 +115,7 @@ export class Plan {
       paper.stroke();
       paper.setLineDash([]);
     };
+    path(this.way, "--grid", []);
     path(this.trail, "--one", []);
     path(this.points.map(({ x, y }) => [x, y]), "--wanted", [4 * scale, 4 * scale]);
     this.points.forEach(({ x, y, time }, n) => {
@@ -112,7 +124,7 @@ export class Plan {
       paper.arc(across, down, 3 * scale, 0, 2 * Math.PI);
       paper.fillStyle = css(reached ? "--quiet" : "--wanted");
       paper.fill();
-      if (this.points.length > 1) paper.fillText(`${n + 1}`, across + 9 * scale, down - 6 * scale);
+      paper.fillText(`${n + 1}`, across + 9 * scale, down - 6 * scale);
     });
     const ring = (where: [number, number], radius: number, colour: string, full: boolean) => {
       const [x, y] = place(where);
@@ -128,7 +140,8 @@ export class Plan {
     const [x, y] = place(this.at), length = 16 * scale;
     paper.beginPath();
     paper.moveTo(x, y);
-    paper.lineTo(x + length * Math.cos(this.yaw), y - length * Math.sin(this.yaw));
+    // Yaw counts clockwise, seen from above.
+    paper.lineTo(x + length * Math.cos(this.yaw), y + length * Math.sin(this.yaw));
     paper.stroke();
     if (document.activeElement === canvas) ring(this.cursor, 4, "--quiet", false);
   }

@@ -12,15 +12,13 @@ interface Plot { title: string; lines: Line[] }
 /** Of a plot without its legend, px: six of them fit on a screen. */
 const HEIGHT = 118;
 
-/** Time without samples after which a line begins anew, s. */
-const SILENCE = 1;
-
 const DEGREES = 180 / Math.PI;
-const MOTORS = ["--one", "--two", "--three", "--four"];
-const motors = (first: number): Line[] =>
-  MOTORS.map((colour, n) => ({ name: `${n + 1}`, signal: first + n, colour }));
+const MOTORS = ["--one", "--two", "--three", "--four", "--five", "--six", "--one", "--two"];
+const lines = (first: number, count: number): Line[] =>
+  MOTORS.slice(0, count).map((colour, n) => ({ name: `${n + 1}`, signal: first + n, colour, dash: n >= 6 }));
 
-const PLOTS: Plot[] = [
+/** The plots of an aircraft by the number of its motors. */
+const plotsOf = (motors: number): Plot[] => [
   { title: "Height, m", lines: [
     { name: "z", signal: Z, colour: "--one", band: VARIANCE + 2 },
     { name: "wanted", signal: WANTED + 2, colour: "--wanted", dash: true } ] },
@@ -35,8 +33,8 @@ const PLOTS: Plot[] = [
   { title: "Yaw, °", lines: [
     { name: "yaw", signal: YAW, colour: "--one", scale: DEGREES, band: VARIANCE + 5 },
     { name: "wanted", signal: WANTED_YAW, colour: "--wanted", scale: DEGREES, dash: true } ] },
-  { title: "Motors, closed loop, rad/s", lines: motors(CLOSED_LOOP) },
-  { title: "Motors, feed-forward, rad/s", lines: [...motors(FEED_FORWARD),
+  { title: "Motors, closed loop, rad/s", lines: lines(CLOSED_LOOP, motors) },
+  { title: "Motors, feed-forward, rad/s", lines: [...lines(FEED_FORWARD, motors),
     { name: "gain × 1000", signal: GAIN, colour: "--wanted", scale: 1000, dash: true }] },
 ];
 
@@ -45,13 +43,15 @@ class Chart {
   private readonly scratch: Float64Array[] = [];
   readonly root: HTMLElement;
 
-  constructor(private readonly what: Plot, parent: HTMLElement, zoomed: (from: number, to: number) => void) {
+  private silence = 1;
+
+  constructor(private readonly what: Plot, parent: HTMLElement, zoomed: (from: number, to: number) => void, marks: Marks) {
     const series: uPlot.Series[] = [{ label: "s" }];
     // A line goes on across lost samples; after a silence it begins anew.
     const gaps: uPlot.Series.GapsRefiner = (plot, _, from, to, found) => {
       const times = plot.data[0];
       for (let n = from + 1; n <= to; n += 1) {
-        if (times[n]! - times[n - 1]! > SILENCE) found.push([plot.valToPos(times[n - 1]!, "x", true), plot.valToPos(times[n]!, "x", true)]);
+        if (times[n]! - times[n - 1]! > this.silence) found.push([plot.valToPos(times[n - 1]!, "x", true), plot.valToPos(times[n]!, "x", true)]);
       }
       return found;
     };
@@ -75,7 +75,7 @@ class Chart {
       scales: { x: { time: false }, y: { range: (_, low, high) => wide(low, high) } },
       // One cursor for all plots; a zoom is passed on by who made it.
       cursor: { points: { show: false }, sync: { key: "flight", setSeries: false }, drag: { setScale: false } },
-      hooks: { setSelect: [(plot) => {
+      hooks: { draw: [(plot) => marks.draw(plot)], setSelect: [(plot) => {
         const { left, width } = plot.select;
         if (width < 4) return;
         plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
@@ -93,6 +93,7 @@ class Chart {
   redraw(): void { this.plot.redraw(false, true); }
 
   show(history: History): void {
+    this.silence = history.silence;
     const data: (Float64Array)[] = [history.time];
     const length = history.time.length;
     let at = 0;
@@ -115,8 +116,8 @@ class Chart {
       const column = history.column(signal), variance = history.column(band);
       const upper = next(), lower = next();
       for (let n = 0; n < length; n += 1) {
-        // Two standard deviations.
-        const far = 2 * Math.sqrt(variance[n]!);
+        // Two standard deviations; none, where the variance is not received.
+        const far = 2 * Math.sqrt(variance[n]!) || 0;
         upper[n] = (column[n]! + far) * scale;
         lower[n] = (column[n]! - far) * scale;
       }
@@ -125,6 +126,33 @@ class Chart {
     this.plot.setData(data as unknown as uPlot.AlignedData);
   }
 }
+
+/** Times that every plot marks: events, and how far a recording has been played. */
+class Marks {
+  events: { time: number; colour: string }[] = [];
+  played = NaN;
+
+  draw(plot: uPlot): void {
+    const { left, top, width, height } = plot.bbox;
+    const line = (time: number, colour: string, dash: number[]) => {
+      const x = Math.round(plot.valToPos(time, "x", true));
+      if (!(x >= left && x <= left + width)) return;
+      plot.ctx.save();
+      plot.ctx.strokeStyle = css(colour);
+      plot.ctx.setLineDash(dash);
+      plot.ctx.beginPath();
+      plot.ctx.moveTo(x, top);
+      plot.ctx.lineTo(x, top + height);
+      plot.ctx.stroke();
+      plot.ctx.restore();
+    };
+    for (const { time, colour } of this.events) line(time, colour, [2, 4]);
+    if (Number.isFinite(this.played)) line(this.played, "--ink", []);
+  }
+}
+
+/** The most events that are marked. */
+const MOST_MARKS = 100;
 
 /** A range that never makes noise look like a flight. */
 function wide(low: number, high: number): [number, number] {
@@ -137,7 +165,9 @@ function wide(low: number, high: number): [number, number] {
 const PACE = 20, TURNS = 3;
 
 export class Plots {
-  private readonly charts: Chart[];
+  private charts: Chart[] = [];
+  private readonly marks = new Marks();
+  private motors = 0;
   private pictures = 0;
   private last = 0;
   /** How long a picture takes of late, ms. */
@@ -146,9 +176,32 @@ export class Plots {
 
   /** `changed` learns when the plots are paused, by a zoom as well, and when they go on. */
   constructor(private readonly parent: HTMLElement, private readonly changed: (paused: boolean) => void) {
-    this.charts = PLOTS.map((plot) => new Chart(plot, parent, this.zoom));
     onResize(parent, () => this.resize());
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.charts.forEach((chart) => chart.redraw()));
+  }
+
+  /** Makes the plots of an aircraft by the number of its motors; those that were added stay. */
+  set craft(motors: number) {
+    if (motors === this.motors) return;
+    this.motors = motors;
+    this.charts.forEach((chart) => chart.remove());
+    this.charts = plotsOf(motors).map((plot) => new Chart(plot, this.parent, this.zoom, this.marks));
+    this.resize();
+  }
+
+  /** Marks an event, in the colour of its severity. */
+  mark(time: number, severity: string): void {
+    this.marks.events.push({ time, colour: severity === "critical" ? "--bad" : severity === "warning" ? "--poor" : "--quiet" });
+    if (this.marks.events.length > MOST_MARKS) this.marks.events.shift();
+  }
+
+  /** Forgets the events. */
+  forget(): void { this.marks.events.length = 0; }
+
+  /** Marks how far a recording has been played, s. */
+  set played(time: number) {
+    this.marks.played = time;
+    this.charts.forEach((chart) => chart.redraw());
   }
 
   get paused(): boolean { return this.stopped; }
@@ -156,7 +209,7 @@ export class Plots {
 
   /** Adds a plot of one signal, with a button that removes it. */
   add(name: string, signal: number): void {
-    const chart = new Chart({ title: name, lines: [{ name, signal, colour: "--one" }] }, this.parent, this.zoom);
+    const chart = new Chart({ title: name, lines: [{ name, signal, colour: "--one" }] }, this.parent, this.zoom, this.marks);
     const away = document.createElement("button");
     away.textContent = "×";
     away.className = "quiet away";

@@ -5,7 +5,7 @@ export interface Parameter { number: number; name: string; unit: string; least: 
 export interface Counts { sent: number; lost: number; doubled: number; overtaken: number }
 export interface Hello {
   type: "hello"; signals: Signal[]; parameters: Parameter[]; phases: string[]; alarms: string[];
-  authenticated: boolean; space: [number, number, number]; period: number;
+  authenticated: boolean; motors: number; fastest: number; wind: number; space: [number, number, number]; period: number;
 }
 /** A check before arming: passed, failed for a reason, or not known from the signals that are received. */
 export interface Check { name: string; known: boolean; problem: string | null }
@@ -14,13 +14,19 @@ export interface State {
   type: "state"; time: number; alive: boolean; restarts: number; silence: number | null;
   timing: { periods: number; missed: number; slowest: number };
   up: Counts; down: Counts; heard: { heard: number; broken: number; missing: number };
-  counts: number[] | null; mode: number | null; planned: boolean; battery: { voltage: number; left: number }; recordings: string[]; checks: Check[]; parameters: (number | null)[];
+  counts: number[] | null; mode: number | null; planned: boolean; battery: { voltage: number; left: number }; recordings: Saved[]; sensors: Health[]; checks: Check[]; parameters: (number | null)[];
   pages: number; commanded: boolean; skipped: number; refused: number;
   recording: { running: boolean; periods: number; error: string | null; ready: boolean };
 }
+/** A finished recording: its size in bytes, and when it was written, s since 1970. */
+export interface Saved { name: string; bytes: number; written: number }
+/** A sensor, and since when it is lost, s. */
+export interface Health { name: string; lost: number | null }
+/** A recorded flight, sampled evenly: a column for each signal. */
+export interface Flight { type: "flight"; times: number[]; signals: number[]; columns: (number | null)[][] }
 export interface Playing { type: "playing"; from: number; to: number; time: number; speed: number }
 export interface Happened { type: "event"; time: number; severity: "info" | "warning" | "critical"; text: string }
-export type Tell = Hello | Frame | State | Playing | Happened
+export type Tell = Hello | Frame | State | Flight | Playing | Happened
   | { type: "command"; granted: boolean; reason: string }
   | { type: "outcome"; order: string; outcome: "done" | "given_up" | "refused" }
   | { type: "refused"; reason: string }

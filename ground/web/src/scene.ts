@@ -23,8 +23,8 @@ export class Scene {
   private readonly renderer: WebGLRenderer | undefined;
   private readonly world = new World();
   private readonly camera = new PerspectiveCamera(40, 1, 0.05, 60);
-  private readonly aircraft: Group;
-  private readonly ghost: Group;
+  private aircraft: Group;
+  private ghost: Group;
   private readonly wanted: Mesh;
   private readonly trail: Vector3[] = [];
   private readonly line = new Line(new BufferGeometry(), new LineBasicMaterial());
@@ -44,8 +44,8 @@ export class Scene {
     this.grid.rotateX(Math.PI / 2);
     const sun = new DirectionalLight(0xffffff, 2.2);
     sun.position.set(2, -3, 6);
-    this.aircraft = craft(false);
-    this.ghost = craft(true);
+    this.aircraft = craft(false, 4);
+    this.ghost = craft(true, 4);
     this.wanted = new Mesh(new SphereGeometry(0.05, 12, 8), new MeshBasicMaterial());
     this.world.add(new AmbientLight(0xffffff, 1.4), sun, this.grid, this.aircraft, this.ghost, this.wanted, this.line);
     onResize(canvas.parentElement ?? canvas, () => this.resize());
@@ -70,6 +70,13 @@ export class Scene {
     }
     this.follow(this.aircraft.position.x, this.aircraft.position.y);
     this.renderer?.render(this.world, this.camera);
+  }
+
+  /** Draws an aircraft by the number of its motors. */
+  set motors(count: number) {
+    this.world.remove(this.aircraft, this.ghost);
+    [this.aircraft, this.ghost] = [craft(false, count), craft(true, count)];
+    this.world.add(this.aircraft, this.ghost);
   }
 
   /** Goes along with the aircraft, not quite as far, so that it is seen to move. */
@@ -110,15 +117,15 @@ function drawnBySoftware(): boolean {
   return /swiftshader|llvmpipe|software/i.test(name);
 }
 
-/** A quadcopter, larger than it is so that its attitude can be seen; its front is the red pair of arms. */
-function craft(ghost: boolean): Group {
+/** A multicopter, larger than it is so that its attitude can be seen; its front is the red arms. */
+function craft(ghost: boolean, motors: number): Group {
   const group = new Group();
   const paint = (colour: number) => new MeshLambertMaterial(
     { color: colour, transparent: ghost, opacity: ghost ? 0.25 : 1 });
   group.add(new Mesh(new BoxGeometry(0.16, 0.1, 0.05), paint(0x6a7280)));
-  for (let n = 0; n < 4; n += 1) {
-    const angle = Math.PI / 4 + n * Math.PI / 2;
-    const front = Math.cos(angle) > 0;
+  for (let n = 0; n < motors; n += 1) {
+    const angle = Math.PI * (2 * n + 1) / motors;
+    const front = Math.cos(angle) > 0.5;
     const colour = front ? 0xd1453b : 0x4b5563;
     const arm = new Mesh(new CylinderGeometry(0.012, 0.012, 0.22, 8), paint(colour));
     arm.position.set(Math.cos(angle) * 0.12, Math.sin(angle) * 0.12, 0);
