@@ -23,6 +23,7 @@ rules! {
     Float: "analysis: a number, by the bounds of the float that is converted",
     Each: "analysis: a comparison with the smaller or the larger of two, as one with each",
     Either: "analysis: a disjunction, where its first part fails",
+    Excluded: "analysis: the other of two alternatives, where one was excluded",
     Place: "analysis: a place narrowed by a condition",
     Converted: "analysis: what is behind a conversion narrowed",
     Variant: "analysis: variants narrowed by their numbers",

@@ -7,8 +7,10 @@
 //! - conditions have no effect (the lowering puts calls that write into statements), so between two of a chain the place
 //!   keeps its value, and those that compare a different variant can be left out;
 //! - a branch is written down once, unless it is a single plain statement;
+//! - a link between two that compare the place, and does not compare it, is a test in each case that reaches it;
 //! - the case of the last variant carries `default:`, as in every other `switch`;
-//! - the result for each variant stays.
+//! - the result for each variant stays, and of an invalid value in a chain that takes it for a variant: its case assigns
+//!   that variant again.
 //!
 //! It must not know the IR, or any type other than an enum's names. So it takes every write for one that may change the
 //! compared place: two fields of a union share their memory.
@@ -23,6 +25,9 @@ const SEVERAL: usize = 3;
 
 /// Nodes of a test that may be written down in several cases.
 const SHORT: usize = 9;
+
+/// Cases in which a branch may be written down.
+const COPIES: usize = 3;
 
 /// Enumerators of a module: the enum and the position of each.
 pub struct Enumerators<'n> {
@@ -96,11 +101,13 @@ impl<'n> Enumerators<'n> {
         rest: Vec<Stmt>,
         excluded: &mut Excluded,
     ) -> Vec<Stmt> {
-        let chain = links.as_slice();
-        let tests: Vec<Test> = chain.iter().map_while(|link| self.test(&link.condition)).collect();
-        let alike = tests.iter().take_while(|test| test.compares_like(&tests[0])).count();
-        let mut length = alike;
+        let tests = self.tests(links.as_slice());
+        let mut length = tests.len();
         while length > 1 {
+            if !tests[length - 1].compares {
+                length -= 1;
+                continue;
+            }
             let chain = links.as_slice();
             let behind = Behind { links: &chain[length..], rest: &rest };
             match self.cases(&chain[..length], &tests[..length], &behind, excluded) {
@@ -121,6 +128,35 @@ impl<'n> Enumerators<'n> {
         }
         let Some(first) = links.next() else { return rest };
         vec![first.followed_by(self.chosen(links, rest, excluded))]
+    }
+
+    /// Returns the tests of the first links: of those that compare one place, and of those between them.
+    fn tests(&self, links: &[Link]) -> Vec<Test> {
+        let mut tests: Vec<Test> = Vec::new();
+        for link in links {
+            match (self.test(&link.condition), tests.first()) {
+                (Some(test), None) => tests.push(test),
+                (Some(test), Some(first)) if test.compares_like(first) => tests.push(test),
+                (None, Some(first)) if !calls(&link.condition) => {
+                    let every = (0..self.enums[first.id].len()).collect();
+                    let guard = Some(link.condition.clone());
+                    let of = first.of.clone();
+                    let id = first.id;
+                    tests.push(Test {
+                        of,
+                        id,
+                        variants: every,
+                        guard,
+                        compares: false,
+                        brought: None,
+                    });
+                }
+                _ => break,
+            }
+        }
+        let brought = tests.iter().find_map(|test| test.brought.clone());
+        tests.first_mut().into_iter().for_each(|first| first.brought = brought.clone());
+        tests
     }
 
     /// Sorts links that compare one place into groups, and returns the variants of none; an error is the number of links
@@ -166,7 +202,8 @@ impl<'n> Enumerators<'n> {
         for (index, link) in links.iter().enumerate() {
             let uses = groups.iter().filter(|group| group.links.contains(&index)).count();
             let guard = tests[index].guard.as_ref().map_or(0, size);
-            if uses == 0 || uses > 1 && (guard > SHORT || !is_short(&link.body)) {
+            let copied = guard > SHORT || uses > COPIES || !is_short(&link.body);
+            if uses == 0 || uses > 1 && copied {
                 return Err(index.min(fewer));
             }
         }
@@ -190,7 +227,12 @@ impl<'n> Enumerators<'n> {
         let label = |at: &usize| Expr::name(&self.enums[test.id][*at]);
         if cases.len() == 1 {
             let case = cases.remove(0);
-            let equal = |at| Expr::binary("==", test.of.clone(), label(at));
+            let equal = |at: &usize| match &test.brought {
+                Some((variant, value)) if variant == at => {
+                    Expr::binary("==", value.clone(), label(at))
+                }
+                _ => Expr::binary("==", test.of.clone(), label(at)),
+            };
             let condition = case.variants.iter().map(equal).reduce(|a, b| Expr::binary("||", a, b));
             let only = matches!(case.variants[..], [_]).then(|| label(&case.variants[0]));
             let mut then = case.body(&rest);
@@ -211,10 +253,14 @@ impl<'n> Enumerators<'n> {
         // The last variant is in the last case, which represents what is none of them.
         arms.sort_by_key(|(variants, _)| variants.last().copied());
         let count = arms.len();
+        let brought = test.brought.as_ref().map(|(variant, _)| *variant);
         let arm = |(index, (variants, body)): (usize, (Vec<usize>, Vec<Stmt>))| {
             let labels = variants.iter().map(label).collect();
+            let invalid = brought.is_some_and(|brought| variants.contains(&brought));
             let mut arm = SwitchArm { labels, default: index + 1 == count, body };
-            self.drop_known(&test.of, &mut arm);
+            if !invalid {
+                self.drop_known(&test.of, &mut arm);
+            }
             arm
         };
         let arms = arms.into_iter().enumerate().map(arm).collect();
@@ -231,13 +277,26 @@ impl<'n> Enumerators<'n> {
         }
     }
 
+    /// Returns the place of a value that is a variant in any case, and the variant as which an invalid one counts.
+    fn brought<'e>(&self, value: &'e Expr) -> Option<(&'e Expr, usize)> {
+        let Expr::Conditional(condition, place, variant) = value else { return None };
+        let Expr::Name(variant) = &**variant else { return None };
+        let (_, at) = *self.positions.get(variant.as_str())?;
+        is_about(condition, place).then_some((&**place, at))
+    }
+
     /// Returns the comparison with which a condition begins.
     fn test(&self, condition: &Expr) -> Option<Test> {
         match condition {
-            Expr::Binary("==", of, label) if is_place(of) => {
+            Expr::Binary("==", of, label) => {
                 let Expr::Name(label) = &**label else { return None };
                 let (id, at) = *self.positions.get(label.as_str())?;
-                Some(Test { of: (**of).clone(), id, variants: vec![at], guard: None })
+                let (place, brought) = match self.brought(of) {
+                    Some((place, variant)) => (place, Some((variant, (**of).clone()))),
+                    None => (&**of, None),
+                };
+                let of = Some(place).filter(|place| is_place(place))?.clone();
+                Some(Test { of, id, variants: vec![at], guard: None, compares: true, brought })
             }
             Expr::Binary("&&", first, second) => {
                 let mut test = self.test(first)?;
@@ -251,10 +310,23 @@ impl<'n> Enumerators<'n> {
                 let (mut test, other) = (self.test(first)?, self.test(second)?);
                 let plain = test.guard.is_none() && other.guard.is_none();
                 test.variants.extend(&other.variants);
+                test.brought = test.brought.or_else(|| other.brought.clone());
                 (plain && other.compares_like(&test)).then_some(test)
             }
             _ => None,
         }
+    }
+}
+
+/// Returns true if a condition compares nothing but a value.
+fn is_about(condition: &Expr, value: &Expr) -> bool {
+    match condition {
+        Expr::Binary("||", a, b) => is_about(a, value) && is_about(b, value),
+        Expr::Binary("==" | "<", of, _) => match &**of {
+            Expr::Cast(_, inner) => **inner == *value,
+            of => of == value,
+        },
+        _ => false,
     }
 }
 
@@ -267,6 +339,10 @@ struct Test {
     id: usize,
     variants: Vec<usize>,
     guard: Option<Expr>,
+    /// True if the condition compares the place.
+    compares: bool,
+    /// The variant as which an invalid value counts, and the value with that variant in its place.
+    brought: Option<(usize, Expr)>,
 }
 
 impl Test {

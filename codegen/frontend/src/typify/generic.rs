@@ -293,7 +293,10 @@ impl Context<'_> {
                 let id = self.add_struct(Struct {
                     name: self.free_name(format!("{}{}", named.name, variant.name)),
                     module: named.module.clone(),
-                    docs: vec![format!("What a `{}::{}` holds.", named.name, variant.name)],
+                    docs: vec![format!(
+                        "Fields of the variant {} of {}.",
+                        variant.name, named.name
+                    )],
                     fields,
                     given: beside(&named.given, &snake(&variant.name)),
                     span: named.span,

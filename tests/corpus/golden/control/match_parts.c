@@ -43,7 +43,7 @@ typedef enum {
     STRETCH_TAG_AROUND = 2
 } stretch_tag_t;
 
-/** What a `Stretch::Around` holds. */
+/** Fields of the variant Around of Stretch. */
 typedef struct {
     float centre;
     float half;

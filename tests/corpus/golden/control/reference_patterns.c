@@ -44,7 +44,7 @@ double reference_patterns_advanced(reference_patterns_valve_t *valve)
 
 /* reference_patterns.h */
 
-/** What a `Order::Open` holds. */
+/** Fields of the variant Open of Order. */
 typedef struct {
     double to;
     double ramp[2];

@@ -2,13 +2,15 @@
 
 /* pump.h */
 
-/** What a `PumpState::Priming` holds. */
+/** Fields of the variant Priming of PumpState. */
 typedef struct {
+    /** Remaining time, ms. */
     uint16_t left;
 } pump_state_priming_t;
 
-/** What a `PumpState::Running` holds. */
+/** Fields of the variant Running of PumpState. */
 typedef struct {
+    /** Time since the last flow, ms. */
     uint16_t dry;
 } pump_state_running_t;
 
@@ -16,9 +18,9 @@ typedef struct {
 typedef enum {
     /** The pump is off. */
     PUMP_STATE_TAG_OFF = 0,
-    /** The pump fills the pipe; `left` is the remaining time in ms. */
+    /** The pump fills the pipe. */
     PUMP_STATE_TAG_PRIMING = 1,
-    /** The pump runs; `dry` is the time since the last flow in ms. */
+    /** The pump runs. */
     PUMP_STATE_TAG_RUNNING = 2,
     /** The pump ran dry, and is off until that is acknowledged. */
     PUMP_STATE_TAG_LOCKED_OUT = 3
@@ -30,9 +32,9 @@ typedef struct {
     pump_state_tag_t tag;
     /** What it holds. */
     union {
-        /** The pump fills the pipe; `left` is the remaining time in ms. */
+        /** The pump fills the pipe. */
         pump_state_priming_t priming;
-        /** The pump runs; `dry` is the time since the last flow in ms. */
+        /** The pump runs. */
         pump_state_running_t running;
     } as;
 } pump_state_t;
@@ -59,37 +61,42 @@ void pump_control_init(pump_control_t *self)
 
 bool pump_control_step(pump_control_t *BESSEMER_RESTRICT self, const pump_inputs_t *inputs)
 {
-    if (self->state.tag == PUMP_STATE_TAG_LOCKED_OUT) {
-        if (inputs->acknowledge && !inputs->demand) {
-            self->state.tag = PUMP_STATE_TAG_OFF;
-        }
-    } else if (!inputs->demand) {
-        self->state.tag = PUMP_STATE_TAG_OFF;
-    } else {
-        switch (self->state.tag) {
-        case PUMP_STATE_TAG_OFF:
+    switch (self->state.tag) {
+    case PUMP_STATE_TAG_OFF:
+        if (inputs->demand) {
             self->state.tag = PUMP_STATE_TAG_PRIMING;
             self->state.as.priming.left = PRIMING_MS;
-            break;
-        case PUMP_STATE_TAG_PRIMING:
-            if (self->state.as.priming.left == 0U) {
-                self->state.tag = PUMP_STATE_TAG_RUNNING;
-                self->state.as.running.dry = 0U;
-            } else {
-                self->state.as.priming.left = saturating_sub_u16(self->state.as.priming.left, 1U);
-            }
-            break;
-        case PUMP_STATE_TAG_RUNNING:
-        default:
-            if (inputs->flow) {
-                self->state.as.running.dry = 0U;
-            } else if (self->state.as.running.dry >= DRY_MS) {
-                self->state.tag = PUMP_STATE_TAG_LOCKED_OUT;
-            } else {
-                self->state.as.running.dry = saturating_add_u16(self->state.as.running.dry, 1U);
-            }
-            break;
         }
+        break;
+    case PUMP_STATE_TAG_PRIMING:
+        if (!inputs->demand) {
+            self->state.tag = PUMP_STATE_TAG_OFF;
+        } else if (self->state.as.priming.left == 0U) {
+            self->state.tag = PUMP_STATE_TAG_RUNNING;
+            self->state.as.running.dry = 0U;
+        } else {
+            self->state.as.priming.left = (uint16_t)(self->state.as.priming.left - 1U);
+        }
+        break;
+    case PUMP_STATE_TAG_RUNNING:
+        if (!inputs->demand) {
+            self->state.tag = PUMP_STATE_TAG_OFF;
+        } else if (inputs->flow) {
+            self->state.as.running.dry = 0U;
+        } else if (self->state.as.running.dry >= DRY_MS) {
+            self->state.tag = PUMP_STATE_TAG_LOCKED_OUT;
+        } else {
+            self->state.as.running.dry = (uint16_t)(self->state.as.running.dry + 1U);
+        }
+        break;
+    case PUMP_STATE_TAG_LOCKED_OUT:
+    default:
+        if (inputs->acknowledge && !inputs->demand) {
+            self->state.tag = PUMP_STATE_TAG_OFF;
+        } else {
+            self->state.tag = PUMP_STATE_TAG_LOCKED_OUT;
+        }
+        break;
     }
     return self->state.tag == PUMP_STATE_TAG_PRIMING || self->state.tag == PUMP_STATE_TAG_RUNNING;
 }

@@ -2,7 +2,7 @@
 
 /* c_names.h */
 
-/** What a `Order::Slam` holds. */
+/** Fields of the variant Slam of Order. */
 typedef struct {
     bool open;
 } ValveOrder_slam_t;

@@ -46,7 +46,7 @@ void generic_enums_aged(const received_f64_t *last, received_f64_t *BESSEMER_RES
 
 /* generic_enums.h */
 
-/** What a `Received_f32::Again` holds. */
+/** Fields of the variant Again of Received_f32. */
 typedef struct {
     float value;
     uint32_t age;
@@ -75,7 +75,7 @@ typedef struct {
     } as;
 } received_f32_t;
 
-/** What a `Received_f64::Again` holds. */
+/** Fields of the variant Again of Received_f64. */
 typedef struct {
     double value;
     uint32_t age;

@@ -36,7 +36,7 @@ typedef enum {
     AXIS_WISH_TAG_TURN = 2
 } axis_wish_tag_t;
 
-/** What a `AxisWish::Turn` holds. */
+/** Fields of the variant Turn of AxisWish. */
 typedef struct {
     float to;
     option_u16_t within;

@@ -43,7 +43,7 @@ void payload_enums_slower(command_t *command)
 
 /* payload_enums.h */
 
-/** What a `Command::Position` holds. */
+/** Fields of the variant Position of Command. */
 typedef struct {
     /** Target angle, rad. */
     double angle;

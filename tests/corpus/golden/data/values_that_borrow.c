@@ -565,7 +565,7 @@ typedef enum {
     VALUES_THAT_BORROW_PACKET_TAG_LOAD = 1
 } values_that_borrow_packet_tag_t;
 
-/** What a `Packet::Load` holds. */
+/** Fields of the variant Load of Packet. */
 typedef struct {
     /** Destination address. */
     uint8_t address;

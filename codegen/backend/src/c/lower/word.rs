@@ -4,8 +4,8 @@
 //! comparisons, which are `int` in C.
 
 use bessemer_ir::{
-    BinaryOp, CompareOp, ConstId, Expr as Ir, ExprKind, Int, LogicOp, Role, Routine, Scalar, Type,
-    UnaryOp, Written,
+    BinaryOp, CompareOp, ConstId, Expr as Ir, ExprKind, Int, Intrinsic, LogicOp, Role, Routine,
+    Scalar, Type, UnaryOp, Written,
 };
 
 use super::super::literal::{self, Readers};
@@ -145,6 +145,7 @@ impl Lower<'_> {
     }
 
     fn compare(&mut self, op: CompareOp, left: &Ir, right: &Ir) -> Expr {
+        let left = self.unbrought(op, left, right);
         if let Some(always) = self.decided(op, left, right) {
             return Expr::name(if always { "true" } else { "false" });
         }
@@ -170,6 +171,20 @@ impl Lower<'_> {
         let limit = |value: Expr, ir: &Ir| super::range::limit(ir).unwrap_or(value);
         let (a, b) = (limit(masked(a, left), left), limit(masked(b, right), right));
         Expr::binary(comparison(op), self.comparable(a), self.comparable(b))
+    }
+
+    /// Returns a compared enum as it is in memory, where that does not change the result. An invalid value equals only the
+    /// variant as which it counts.
+    fn unbrought<'e>(&self, op: CompareOp, value: &'e Ir, with: &Ir) -> &'e Ir {
+        let (ExprKind::Intrinsic(Intrinsic::Variant, operands), ExprKind::Literal(word)) =
+            (&value.kind, &with.kind)
+        else {
+            return value;
+        };
+        let (Type::Enum(id), [operand]) = (&value.ty, &operands[..]) else { return value };
+        let fallback = self.context.module.enums[id.index()].fallback() as u64;
+        let equality = matches!(op, CompareOp::Eq | CompareOp::Ne);
+        if equality && *word != fallback { operand } else { value }
     }
 
     /// Returns the negation of a condition, with comparisons reversed where that is equivalent. For floats these are

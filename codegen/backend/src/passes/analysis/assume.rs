@@ -52,18 +52,35 @@ impl<'m> State<'m> {
 
     /// Narrows the state to executions in which `condition` is `truth`.
     pub(crate) fn assume(&mut self, condition: &Expr, truth: bool) {
-        match &condition.kind {
-            ExprKind::Unary(UnaryOp::Not, x) => self.assume(x, !truth),
-            ExprKind::Logic(op, a, b) if (*op == LogicOp::And) == truth => {
-                self.assume(a, truth);
-                self.assume(b, truth);
-                // What `b` shows may decide an alternative of `a`.
-                if matches!(a.kind, ExprKind::Logic(..)) {
-                    self.assume(a, truth);
+        self.keep(condition, truth);
+        // It may exclude one of two alternatives that were known, so that the other holds.
+        for either in self.relations.alternatives_about(condition) {
+            let ExprKind::Logic(_, a, b) = &either.kind else { continue };
+            for (one, other) in [(a, b), (b, a)] {
+                if Rule::Excluded.told(self.is(one, false)) {
+                    self.keep(other, true);
                 }
             }
-            ExprKind::Logic(_, a, b) if self.is(a, !truth) => self.assume(b, truth),
-            ExprKind::Logic(_, a, b) if self.is(b, !truth) => self.assume(a, truth),
+        }
+    }
+
+    fn keep(&mut self, condition: &Expr, truth: bool) {
+        match &condition.kind {
+            ExprKind::Unary(UnaryOp::Not, x) => self.keep(x, !truth),
+            ExprKind::Logic(op, a, b) if (*op == LogicOp::And) == truth => {
+                self.keep(a, truth);
+                self.keep(b, truth);
+                // What `b` shows may decide an alternative of `a`.
+                if matches!(a.kind, ExprKind::Logic(..)) {
+                    self.keep(a, truth);
+                }
+            }
+            ExprKind::Logic(_, a, b) if self.is(a, !truth) => self.keep(b, truth),
+            ExprKind::Logic(_, a, b) if self.is(b, !truth) => self.keep(a, truth),
+            ExprKind::Logic(_, a, b) => {
+                let half = |it: &Expr| if truth { it.clone() } else { it.clone().negated() };
+                self.relations.learn_either(half(a), half(b));
+            }
             ExprKind::Compare(op, a, b) => self.assume_compare(*op, a, b, truth),
             ExprKind::Load(_) => self.bound(condition, Interval::one(i128::from(truth))),
             _ if truth => self.relations.learn(condition),

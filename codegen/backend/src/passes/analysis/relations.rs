@@ -8,11 +8,14 @@ use std::collections::HashSet;
 use std::rc::Rc;
 
 use bessemer_ir::visit::Walk as _;
-use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, LocalId, LogicOp, Place};
+use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, LocalId, LogicOp, Place, Span, Type};
 
 use super::glance::{Glance, bit};
 use crate::passes::places::erased;
 use bessemer_ir::effects::{reads, same_place};
+
+/// Largest number of disjunctions that a condition may decide. A long function has thousands.
+const ALTERNATIVES: usize = 16;
 
 /// A condition that holds, with its fingerprint.
 #[derive(Clone)]
@@ -31,6 +34,23 @@ impl Relations {
         let condition = Rc::new(upright(erased(condition)));
         let glance = Glance::of(&condition);
         self.0.push(Relation { condition, glance });
+    }
+
+    /// Adds the condition that one of two holds; the second is evaluated only where the first does not.
+    pub(super) fn learn_either(&mut self, first: Expr, second: Expr) {
+        let kind = ExprKind::Logic(LogicOp::Or, Box::new(first), Box::new(second));
+        self.learn(&Expr { kind, ty: Type::BOOL, span: Span::default() });
+    }
+
+    /// Returns the latest disjunctions with a word of a condition. Of each, one half holds.
+    pub(super) fn alternatives_about(&self, condition: &Expr) -> Vec<Rc<Expr>> {
+        let mut roots = 0;
+        condition.each_place(|place, _| roots |= bit(place.root));
+        let is_about = |it: &&Relation| {
+            it.glance.roots & roots != 0 && matches!(it.condition.kind, ExprKind::Logic(..))
+        };
+        let about = self.0.iter().rev().filter(is_about).take(ALTERNATIVES);
+        about.map(|it| Rc::clone(&it.condition)).collect()
     }
 
     /// Returns the number of facts.

@@ -1,6 +1,6 @@
 //! A state machine whose states carry their data: a pump that is primed, runs, and is locked out when it runs dry.
 //!
-//! One `match` has the transitions of each state; a timer exists only in the state that uses it.
+//! A timer exists only in the state that uses it. An invalid state, after a fault of the memory, counts as locked out.
 
 use bessemer::prelude::*;
 
@@ -16,11 +16,18 @@ pub enum PumpState {
     /// The pump is off.
     #[default]
     Off,
-    /// The pump fills the pipe; `left` is the remaining time in ms.
-    Priming { left: u16 },
-    /// The pump runs; `dry` is the time since the last flow in ms.
-    Running { dry: u16 },
+    /// The pump fills the pipe.
+    Priming {
+        /// Remaining time, ms.
+        left: u16,
+    },
+    /// The pump runs.
+    Running {
+        /// Time since the last flow, ms.
+        dry: u16,
+    },
     /// The pump ran dry, and is off until that is acknowledged.
+    #[c(fallback)]
     LockedOut,
 }
 
@@ -54,10 +61,10 @@ impl PumpControl {
             _ if !inputs.demand => PumpState::Off,
             PumpState::Off => PumpState::Priming { left: PRIMING_MS },
             PumpState::Priming { left: 0 } => PumpState::Running { dry: 0 },
-            PumpState::Priming { left } => PumpState::Priming { left: left.saturating_sub(1) },
+            PumpState::Priming { left } => PumpState::Priming { left: left - 1 },
             PumpState::Running { .. } if inputs.flow => PumpState::Running { dry: 0 },
             PumpState::Running { dry } if dry >= DRY_MS => PumpState::LockedOut,
-            PumpState::Running { dry } => PumpState::Running { dry: dry.saturating_add(1) },
+            PumpState::Running { dry } => PumpState::Running { dry: dry + 1 },
         };
         matches!(self.state, PumpState::Priming { .. } | PumpState::Running { .. })
     }
