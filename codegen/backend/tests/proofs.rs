@@ -180,7 +180,8 @@ functions! {
         order_where_a_loop_is_left, order_moved_twice_in_a_pass, greater_of_two_paths,
         alternative_that_may_fail, sum_beyond_a_length,
         width_of_signed_numbers_beyond, search_by_a_difference_beyond, list_filled_in_a_loop_beyond,
-        excluded_alternative_beyond, excluded_before_a_write_beyond,
+        end_of_a_part_beyond, start_of_a_clamped_part_beyond,
+        count_of_a_rest_beyond, count_of_a_moved_rest_beyond, excluded_alternative_beyond, excluded_before_a_write_beyond,
         middle_of_signed_numbers, middle_of_numbers, field_that_wraps_in_a_loop, moved_beside_a_field_that_wraps;
     proved:
         sum_of_signed_numbers, moved_up_and_back_before_a_continue, zeros_of_a_number,
@@ -196,6 +197,7 @@ functions! {
         moved_back_in_a_loop,
         search_by_halves, search_between_ends, search_in_a_slice, width_of_numbers,
         width_by_larger_and_smaller, order_moved_in_a_pass, lesser_of_two_paths,
-        alternative_that_fails, excluded_alternative, excluded_by_the_second, sum_below_a_length,
+        alternative_that_fails, excluded_alternative, excluded_by_the_second,
+        count_of_a_rest, end_of_a_part, start_of_a_clamped_part, sum_below_a_length,
         width_of_signed_numbers, middle_of_ordered_numbers, search_by_a_difference, list_filled_in_a_loop;
 }

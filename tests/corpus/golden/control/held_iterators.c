@@ -54,8 +54,7 @@ bessemer_status_t held_iterators_made_before(const double samples[4], uint64_t n
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t held_iterators_changed_since(const int32_t samples[6], uint64_t first,
-    int32_t *BESSEMER_RESTRICT sum)
+int32_t held_iterators_changed_since(const int32_t samples[6], uint64_t first)
 {
     uint32_t left = (uint32_t)(first & UINT64_C(3));
     const uint32_t count = left;
@@ -63,19 +62,15 @@ bessemer_status_t held_iterators_changed_since(const int32_t samples[6], uint64_
     left += 3U;
     const uint32_t numbers_start = left;
     left = 0U;
-    int32_t sum_value = (int32_t)left;
+    int32_t sum = (int32_t)left;
     const uint32_t value_count = (uint32_t)min_u64((uint64_t)count, UINT64_C(6));
     const uint32_t value_count_2 = (uint32_t)min_u64((uint64_t)count_2,
         u64_from_u32(6U - value_count));
     for (uint32_t i = value_count; i < value_count + value_count_2; i++) {
-        if (i >= 6U) {
-            return BESSEMER_STATUS_INDEX;
-        }
-        sum_value = wrap_i32((uint32_t)sum_value + (uint32_t)samples[i]);
+        sum = wrap_i32((uint32_t)sum + (uint32_t)samples[i]);
     }
     for (uint32_t number = numbers_start; number < 9U; number++) {
-        sum_value = wrap_i32((uint32_t)sum_value * (uint32_t)(int32_t)number);
+        sum = wrap_i32((uint32_t)sum * (uint32_t)(int32_t)number);
     }
-    *sum = sum_value;
-    return BESSEMER_STATUS_OK;
+    return sum;
 }

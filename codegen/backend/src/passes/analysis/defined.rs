@@ -14,6 +14,8 @@ use bessemer_ir::used::Rule;
 
 /// Largest number of steps in one argument.
 const DEPTH: u32 = 6;
+/// Largest nesting of the number that defines a local.
+const PARTS: u32 = 3;
 /// Largest number of steps to the order of two ends.
 const ENDS: u32 = 2;
 
@@ -23,13 +25,11 @@ impl State<'_> {
         let defines = match &value.kind {
             ExprKind::Load(_) => true,
             ExprKind::Binary(..) if between(value)[0].is_some() => true,
-            ExprKind::Binary(op @ (BinaryOp::Add | BinaryOp::Sub | BinaryOp::Div), a, b) => {
-                let is_place = |it: &Expr| matches!(it.kind, ExprKind::Load(_));
-                is_place(a) && (b.is_literal() || *op == BinaryOp::Sub && is_place(b))
+            ExprKind::Binary(BinaryOp::Div, a, b) => {
+                matches!(a.kind, ExprKind::Load(_)) && b.is_literal()
             }
-            ExprKind::Intrinsic(Intrinsic::Min | Intrinsic::Max, operands) => {
-                operands.iter().all(|it| matches!(it.kind, ExprKind::Load(_)) || it.is_literal())
-            }
+            ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, ..)
+            | ExprKind::Intrinsic(Intrinsic::Min | Intrinsic::Max, _) => is_composed(value, PARTS),
             ExprKind::Cast(x) => matches!(x.kind, ExprKind::Load(_)) && self.is_the_same(x, value),
             _ => false,
         };
@@ -185,9 +185,14 @@ impl State<'_> {
             }
             _ => false,
         };
-        self.relations.above(y).any(|(c, less)| {
-            is_rest(c, less) || self.relations.definition(c).is_some_and(|c| is_rest(c, less))
-        })
+        let is_below_a_rest = |defined: &Expr| match &defined.kind {
+            ExprKind::Intrinsic(Intrinsic::Min, all) => all.iter().any(|c| is_rest(c, 0)),
+            _ => false,
+        };
+        self.relations.definition(y).is_some_and(is_below_a_rest)
+            || self.relations.above(y).any(|(c, less)| {
+                is_rest(c, less) || self.relations.definition(c).is_some_and(|c| is_rest(c, less))
+            })
     }
 
     /// Returns the difference of two numbers, if one of them is defined by the other and a literal.
@@ -206,6 +211,21 @@ impl State<'_> {
             }
         };
         beyond(a, right).or_else(|| beyond(b, left).map(|by| -by))
+    }
+}
+
+/// Returns true if a number is made of places and literals by sums, differences, minima and maxima, nested to a depth.
+fn is_composed(expr: &Expr, depth: u32) -> bool {
+    let inside = depth.saturating_sub(1);
+    match &expr.kind {
+        ExprKind::Load(_) => true,
+        ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) if depth > 0 => {
+            is_composed(a, inside) && is_composed(b, inside)
+        }
+        ExprKind::Intrinsic(Intrinsic::Min | Intrinsic::Max, all) if depth > 0 => {
+            all.iter().all(|it| is_composed(it, inside))
+        }
+        _ => expr.is_literal(),
     }
 }
 
