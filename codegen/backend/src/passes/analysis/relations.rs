@@ -81,13 +81,20 @@ impl Relations {
 
     /// Keeps the conditions that hold here and in `other`.
     pub(super) fn join(&mut self, other: &Relations) {
-        let shared: HashSet<*const Expr> =
-            other.0.iter().map(|it| Rc::as_ptr(&it.condition)).collect();
-        self.0.retain(|it| {
+        let before = self.before(other);
+        let shared = addresses(&other.0[before..]);
+        let here = self.0.split_off(before);
+        self.0.extend(here.into_iter().filter(|it| {
             let mut alike = other.0.iter().filter(|other| other.glance.like(it.glance));
             shared.contains(&Rc::as_ptr(&it.condition))
                 || alike.any(|other| it.condition == other.condition)
-        });
+        }));
+    }
+
+    /// Returns how many of the first conditions are those of `other`. Two branches share what held before them.
+    fn before(&self, other: &Relations) -> usize {
+        let both = self.0.iter().zip(&other.0);
+        both.take_while(|(a, b)| Rc::ptr_eq(&a.condition, &b.condition)).count()
     }
 
     /// Returns true if `condition` follows from one that holds. `fails` returns true for conditions that certainly do
@@ -107,10 +114,10 @@ impl Relations {
 
     /// Returns the orders of which `other` has not learned the condition, the latest first.
     pub(super) fn orders_beyond(&self, other: &Relations) -> impl Iterator<Item = Expr> {
-        let shared: HashSet<*const Expr> =
-            other.0.iter().map(|it| Rc::as_ptr(&it.condition)).collect();
+        let before = self.before(other);
+        let shared = addresses(&other.0[before..]);
         let beyond = move |it: &&Relation| !shared.contains(&Rc::as_ptr(&it.condition));
-        self.0.iter().rev().filter(beyond).flat_map(|it| orders(&it.condition))
+        self.0[before..].iter().rev().filter(beyond).flat_map(|it| orders(&it.condition))
     }
 
     /// Returns each number that is known to be at least `number`, or more by the second.
@@ -130,6 +137,10 @@ impl Relations {
             _ => None,
         })
     }
+}
+
+fn addresses(relations: &[Relation]) -> HashSet<*const Expr> {
+    relations.iter().map(|it| Rc::as_ptr(&it.condition)).collect()
 }
 
 /// Returns true if a condition that holds implies another, by itself or, for a disjunction, because its first half
