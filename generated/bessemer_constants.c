@@ -140,19 +140,19 @@ const uint64_t POWERS_OF_TWO[128][2] = {
     {UINT64_C(0x3C77893B4D91CD9C), UINT64_C(0x3FEFE7C1819E90D8)},
     {UINT64_C(0x3C5305C14160CC89), UINT64_C(0x3FEFF3C22B8F71F1)}
 };
-const double TUNING_HEXACOPTER_LARGEST_VALUES[20] = {
+const double TUNING_HEXACOPTER_LARGEST_VALUES[23] = {
     40.0, 4.0, 16.0, 5.0, 1.5, 1.0, 5.0, 1.5, 1.0, 0.5, 0.3, -0.1, -0.04, -0.1, -0.04, 0.8, 0.5,
-    0.5, 0.4, 2.0
+    0.5, 0.4, 2.0, 2.5, 5.0, 100.0
 };
-const double TUNING_HEXACOPTER_LEAST_VALUES[20] = {
+const double TUNING_HEXACOPTER_LEAST_VALUES[23] = {
     4.0, 0.0, 2.0, 0.5, 0.0, 0.1, 0.5, 0.0, 0.1, 0.03, 0.03, -0.4, -0.3, -0.4, -0.3, 0.0, -0.5, 0.1,
-    0.1, 0.0
+    0.1, 0.0, 0.2, 0.5, 5.0
 };
-const double TUNING_LARGEST_VALUES[20] = {
+const double TUNING_LARGEST_VALUES[23] = {
     3.0, 0.2, 0.8, 0.02, 0.02, 0.005, 0.025, 0.02, 0.004, 0.01, 0.0025, -0.1, -0.04, -0.1, -0.04,
-    0.8, 0.05, 0.5, 0.4, 2.0
+    0.8, 0.05, 0.5, 0.4, 2.0, 2.5, 5.0, 100.0
 };
-const double TUNING_LEAST_VALUES[20] = {
-    0.5, 0.0, 0.1, 0.004, 0.0, 0.001, 0.005, 0.0, 0.001, 0.001, 0.0004, -0.4, -0.2, -0.4, -0.2, 0.0,
-    -0.05, 0.1, 0.1, 0.0
+const double TUNING_LEAST_VALUES[23] = {
+    0.5, 0.0, 0.1, 0.004, 0.0, 0.001, 0.005, 0.0, 0.001, 0.001, 0.0004, -0.4, -0.4, -0.4, -0.4, 0.0,
+    -0.05, 0.1, 0.1, 0.0, 0.2, 0.5, 5.0
 };

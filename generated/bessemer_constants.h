@@ -85,16 +85,16 @@ static const uint8_t SENDER_RECORD = 0x40U;
 static const uint8_t SENDER_STATUS = 0x41U;
 
 /** Largest value of each parameter of the hexacopter. */
-extern const double TUNING_HEXACOPTER_LARGEST_VALUES[20];
+extern const double TUNING_HEXACOPTER_LARGEST_VALUES[23];
 
 /** Least value of each parameter of the hexacopter. */
-extern const double TUNING_HEXACOPTER_LEAST_VALUES[20];
+extern const double TUNING_HEXACOPTER_LEAST_VALUES[23];
 
 /** Largest value of each parameter of the Mambo. */
-extern const double TUNING_LARGEST_VALUES[20];
+extern const double TUNING_LARGEST_VALUES[23];
 
 /** Least value of each parameter of the Mambo. */
-extern const double TUNING_LEAST_VALUES[20];
+extern const double TUNING_LEAST_VALUES[23];
 
 #ifdef __cplusplus
 }

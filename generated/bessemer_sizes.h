@@ -73,6 +73,6 @@
 #define TUNING_FIRST_GROUND_ONLY UINT64_C(18)
 
 /** Number of parameters. */
-#define TUNING_PARAMETER_COUNT UINT64_C(20)
+#define TUNING_PARAMETER_COUNT UINT64_C(23)
 
 #endif

@@ -119,11 +119,12 @@ static void geometric_wanted_force(const parameters_t *parameters, const estimat
         target->velocity[1] - estimate->velocity[1],
         target->velocity[2] - estimate->velocity[2]
     };
-    const double climb[3] = {0.0, 0.0, target->climb_acceleration};
-    result[0] = weight[0] + (error[0] * gains.p + error_rate[0] * gains.d + climb[0])
+    const double along[2] = {target->acceleration[0], target->acceleration[1]};
+    const double planned[3] = {along[0], along[1], target->climb_acceleration};
+    result[0] = weight[0] + (error[0] * gains.p + error_rate[0] * gains.d + planned[0])
         * parameters->mass;
-    result[1] = weight[1] + (error[1] * gains.p + error_rate[1] * gains.d + climb[1])
+    result[1] = weight[1] + (error[1] * gains.p + error_rate[1] * gains.d + planned[1])
         * parameters->mass;
-    result[2] = weight[2] + (error[2] * gains.p + error_rate[2] * gains.d + climb[2])
+    result[2] = weight[2] + (error[2] * gains.p + error_rate[2] * gains.d + planned[2])
         * parameters->mass;
 }

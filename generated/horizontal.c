@@ -15,6 +15,7 @@
 #include <stdint.h>
 
 #include "bessemer_calls.h"
+#include "bessemer_constants.h"
 #include "bessemer_target.h"
 #include "parameters.h"
 
@@ -37,8 +38,14 @@ void horizontal_lean(const parameters_t *parameters, const target_t *target,
         target->velocity[1] - velocity[1],
         target->velocity[2] - velocity[2]
     };
-    const double roll = -damped_respond(&parameters->y, error[1], error_rate[1]);
-    const double pitch = damped_respond(&parameters->x, error[0], error_rate[0]);
+
+    /* The tilt of the planned acceleration, which the errors correct. */
+    const double planned[2] = {
+        target->acceleration[0] / AIRFRAME_GRAVITY,
+        target->acceleration[1] / AIRFRAME_GRAVITY
+    };
+    const double roll = planned[1] - damped_respond(&parameters->y, error[1], error_rate[1]);
+    const double pitch = -planned[0] + damped_respond(&parameters->x, error[0], error_rate[0]);
     result[0] = roll;
     result[1] = pitch;
     result[2] = target->yaw;

@@ -51,6 +51,12 @@ static const reference_generator_t REFERENCE_GENERATOR_DEFAULT = {
     .time = 0.0,
     .landing = 0.0,
     .wanted = {.time = 0.0, .position = {0.0, 0.0, 0.0}, .yaw = 0.0},
+    .shaper = {
+        .ramp = {0.0, 0.0, 0.0},
+        .lagged = {0.0, 0.0, 0.0},
+        .position = {0.0, 0.0, 0.0},
+        .velocity = {0.0, 0.0, 0.0}
+    },
     .yaw = 0.0,
     .airborne = false
 };

@@ -39,7 +39,14 @@ void parameters_push(const parameters_t *self, const command_t *command,
     push->force = wrench.thrust / self->mass;
 }
 
-void parameters_mambo(parameters_t *parameters)
+void parameters_mambo(parameters_t *all)
+{
+    parameters_thesis(all);
+    all->x.d = -0.24;
+    all->y.d = -0.24;
+}
+
+void parameters_thesis(parameters_t *parameters)
 {
     airframe_t airframe;
     airframe_mambo(&airframe);

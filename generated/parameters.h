@@ -99,8 +99,14 @@ double damped_respond(const damped_t *self, double error, double error_rate);
 void parameters_push(const parameters_t *self, const command_t *command,
     push_t *BESSEMER_RESTRICT push);
 
-/** Returns the parameters of the Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1). */
-void parameters_mambo(parameters_t *parameters);
+/**
+ * Returns the parameters of the Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1), with more damping of the
+ * position.
+ */
+void parameters_mambo(parameters_t *all);
+
+/** Returns the parameters of the Parrot Mambo at 200 Hz as in the thesis (tables 3.1 and A.1). */
+void parameters_thesis(parameters_t *parameters);
 
 /**
  * Returns the parameters of the hexacopter at 200 Hz: the Mambo's gains scaled by mass and inertia, with a slower

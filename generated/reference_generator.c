@@ -19,6 +19,7 @@
 #include "bessemer_target.h"
 #include "geometry.h"
 #include "receiver.h"
+#include "shaper.h"
 #include "signals.h"
 #include "trajectory.h"
 
@@ -28,6 +29,10 @@ static const double GROUND_CLEARANCE = 0.1;
 static void reference_generator_change_phase(reference_generator_t *BESSEMER_RESTRICT self,
     const course_t *course, const orders_t *orders, const estimate_t *estimate, bool landed,
     bool degraded);
+static void reference_generator_stop(reference_generator_t *BESSEMER_RESTRICT self,
+    const course_t *course, const estimate_t *estimate);
+static void reference_generator_shape(reference_generator_t *BESSEMER_RESTRICT self,
+    const course_t *course, const estimate_t *estimate, target_t *BESSEMER_RESTRICT target);
 static void reference_generator_turn(reference_generator_t *BESSEMER_RESTRICT self,
     const course_t *course, const estimate_t *estimate, target_t *BESSEMER_RESTRICT target);
 static void reference_generator_follow_sticks(reference_generator_t *BESSEMER_RESTRICT self,
@@ -36,17 +41,15 @@ static void reference_generator_follow_sticks(reference_generator_t *BESSEMER_RE
 
 void course_mambo(course_t *course)
 {
-    static const course_t mambo = {
-        .period = 0.005,
-        .takeoff_duration = 1.0,
-        .landing_rate = 0.25,
-        .stick_timeout = 0.5,
-        .ceiling = 2.5,
-        .yaw_rate_limit = 1.0,
-        .hold_timeout = 1.0,
-        .landing_timeout = 6.0
-    };
-    *course = mambo;
+    shaping_room(&course->shaping);
+    course->period = 0.005;
+    course->takeoff_duration = 1.0;
+    course->landing_rate = 0.25;
+    course->stick_timeout = 0.5;
+    course->ceiling = 2.5;
+    course->yaw_rate_limit = 1.0;
+    course->hold_timeout = 1.0;
+    course->landing_timeout = 6.0;
 }
 
 void reference_generator_init(reference_generator_t *self)
@@ -59,6 +62,7 @@ void reference_generator_init(reference_generator_t *self)
     self->wanted.position[1] = 0.0;
     self->wanted.position[2] = 0.0;
     self->wanted.yaw = 0.0;
+    shaper_init(&self->shaper);
     self->yaw = 0.0;
     self->airborne = false;
 }
@@ -97,9 +101,7 @@ void reference_generator_step(reference_generator_t *BESSEMER_RESTRICT self, con
     default:
         break;
     }
-    reference->target.position[0] = self->wanted.position[0];
-    reference->target.position[1] = self->wanted.position[1];
-    reference->target.position[2] = self->wanted.position[2];
+    reference_generator_shape(self, course, estimate, &reference->target);
     reference->target.position[2] -= course->landing_rate * self->landing;
     reference_generator_turn(self, course, estimate, &reference->target);
     const bool motors = reference_generator_is_flying(self);
@@ -133,10 +135,7 @@ static void reference_generator_change_phase(reference_generator_t *BESSEMER_RES
 {
     const bool aloft = self->phase == PHASE_FLIGHT || self->phase == PHASE_HOLD;
     if (degraded && (self->phase == PHASE_TAKE_OFF || aloft)) {
-        self->wanted.position[0] = estimate->position[0];
-        self->wanted.position[1] = estimate->position[1];
-        self->wanted.position[2] = estimate->position[2];
-        self->wanted.yaw = self->yaw;
+        reference_generator_stop(self, course, estimate);
     }
     const bool alone = orders->watched && orders->silence > course->hold_timeout;
     const bool link_lost = orders->watched && orders->silence > course->landing_timeout;
@@ -183,6 +182,60 @@ static void reference_generator_change_phase(reference_generator_t *BESSEMER_RES
             /* Nothing. */
         }
         break;
+    }
+}
+
+/**
+ * Wants the aircraft to stop where it is. A shaped set point stops gently, since the aircraft may have no attitude but
+ * an estimate.
+ */
+static void reference_generator_stop(reference_generator_t *BESSEMER_RESTRICT self,
+    const course_t *course, const estimate_t *estimate)
+{
+    self->wanted.position[0] = estimate->position[0];
+    self->wanted.position[1] = estimate->position[1];
+    self->wanted.position[2] = estimate->position[2];
+    self->wanted.yaw = self->yaw;
+    if (course->shaping.is_active) {
+        const double along[3] = {estimate->velocity[0], estimate->velocity[1], 0.0};
+        shaper_begin(&self->shaper, &course->shaping, estimate->position, along);
+        self->wanted.position[0] = self->shaper.ramp[0];
+        self->wanted.position[1] = self->shaper.ramp[1];
+        self->wanted.position[2] = self->shaper.ramp[2];
+    }
+}
+
+/**
+ * Shapes the set point. It follows the aircraft in the take-off, and rests at it while a pilot flies.
+ */
+static void reference_generator_shape(reference_generator_t *BESSEMER_RESTRICT self,
+    const course_t *course, const estimate_t *estimate, target_t *BESSEMER_RESTRICT target)
+{
+    target->position[0] = self->wanted.position[0];
+    target->position[1] = self->wanted.position[1];
+    target->position[2] = self->wanted.position[2];
+    if (!self->airborne || self->phase == PHASE_TAKE_OFF) {
+        const double climb[3] = {0.0, 0.0, estimate->velocity[2]};
+        shaper_begin(&self->shaper, &course->shaping, estimate->position, climb);
+        if (course->shaping.is_active) {
+            target->position[0] = estimate->position[0];
+            target->position[1] = estimate->position[1];
+        }
+    } else if (target->manual) {
+        shaper_rest(&self->shaper, self->wanted.position);
+    } else {
+        shaped_t shaped;
+        shaper_step(&self->shaper, &course->shaping, course->period, self->wanted.position,
+            &shaped);
+        target->position[0] = shaped.position[0];
+        target->position[1] = shaped.position[1];
+        target->position[2] = shaped.position[2];
+        target->velocity[0] += shaped.velocity[0];
+        target->velocity[1] += shaped.velocity[1];
+        target->velocity[2] += shaped.velocity[2];
+        target->acceleration[0] = shaped.acceleration[0];
+        target->acceleration[1] = shaped.acceleration[1];
+        target->climb_acceleration = shaped.acceleration[2];
     }
 }
 

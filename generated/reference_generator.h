@@ -18,6 +18,7 @@
 
 #include "bessemer_calls.h"
 #include "receiver.h"
+#include "shaper.h"
 #include "signals.h"
 #include "trajectory.h"
 
@@ -53,6 +54,8 @@ typedef struct {
     double stick_timeout;
     /** Largest height that sticks can ask for, m. */
     double ceiling;
+    /** Limits of the set point. */
+    shaping_t shaping;
     /**
      * Largest rate of the yaw setpoint, rad/s: a step would take thrust from the height control.
      */
@@ -87,6 +90,8 @@ typedef struct {
     double landing;
     /** Last setpoint. */
     set_point_t wanted;
+    /** Set point after shaping. */
+    shaper_t shaper;
     /** Yaw setpoint after rate limiting, rad. */
     double yaw;
     /** True if the aircraft has left the ground. */

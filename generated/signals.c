@@ -20,6 +20,7 @@ void target_idle(target_t *target)
     static const target_t idle = {
         .position = {0.0, 0.0, 0.0},
         .velocity = {0.0, 0.0, 0.0},
+        .acceleration = {0.0, 0.0},
         .climb_acceleration = 0.0,
         .yaw = 0.0,
         .yaw_rate = 0.0,

@@ -40,6 +40,8 @@ typedef struct {
     double position[3];
     /** Velocity in the inertial frame, m/s. */
     double velocity[3];
+    /** Acceleration along x and y, m/s². */
+    double acceleration[2];
     /** Vertical acceleration, m/s². */
     double climb_acceleration;
     /** Yaw, rad. */

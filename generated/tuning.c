@@ -50,6 +50,9 @@ void tuning_values(const settings_t *settings,
     result[17] = settings->course.landing_rate;
     result[18] = settings->parameters.takeoff_gain;
     result[19] = (double)settings->parameters.candidate;
+    result[20] = settings->course.shaping.speed;
+    result[21] = settings->course.shaping.acceleration;
+    result[22] = settings->course.shaping.jerk;
 }
 
 double settings_parameter(const settings_t *self, uint8_t number)
@@ -110,6 +113,9 @@ bool settings_set(settings_t *self, uint8_t number, double value, bool flying)
     self->course.landing_rate = all[17];
     self->parameters.takeoff_gain = all[18];
     self->parameters.candidate = tuning_candidate(all[19]);
+    self->course.shaping.speed = all[20];
+    self->course.shaping.acceleration = all[21];
+    self->course.shaping.jerk = all[22];
     return true;
 }
 

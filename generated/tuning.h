@@ -29,8 +29,8 @@ extern "C" {
 /**
  * Returns the present values. P, I and D of the height (N/m, N/(m·s), N·s/m), of roll and of pitch (N·m/rad …); P and
  * D of yaw, of x and of y (rad/m, rad·s/m). Then the final gain of the feed-forward, the friction that it cancels
- * (N·s/m) and the landing rate (m/s). On the ground only: the excess thrust of the take-off and the number of the
- * control law.
+ * (N·s/m) and the landing rate (m/s). On the ground only: the excess thrust of the take-off, the number of the
+ * control law, and the largest speed (m/s), acceleration (m/s²) and jerk (m/s³) of the set point.
  */
 void tuning_values(const settings_t *settings,
     double result[BESSEMER_RESTRICT TUNING_PARAMETER_COUNT]);

@@ -82,6 +82,7 @@ static void put_reference(cursor_t *cursor, const reference_t *reference)
     const target_t *target = &reference->target;
     put_numbers(cursor, target->position, 3U);
     put_numbers(cursor, target->velocity, 3U);
+    put_numbers(cursor, target->acceleration, 2U);
     put_number(cursor, target->climb_acceleration);
     put_number(cursor, target->yaw);
     put_number(cursor, target->yaw_rate);

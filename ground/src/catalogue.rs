@@ -136,6 +136,9 @@ const NAMED: [(&str, &str); PARAMETER_COUNT] = [
     ("rate of landing", "m/s"),
     ("take-off excess", ""),
     (CANDIDATE, ""),
+    ("speed of set points", "m/s"),
+    ("acceleration of set points", "m/s²"),
+    ("jerk of set points", "m/s³"),
 ];
 
 /// Name of the parameter that selects the control law; its values are the numbers of `models::Candidate`.

@@ -221,7 +221,7 @@ fn signal(place: usize) -> String {
         ("estimate.velocity", 3),
         ("estimate.rates", 3),
         ("ages", 4),
-        ("reference.target", 15),
+        ("reference.target", 17),
         ("reference.phase", 1),
         ("reference.motors", 1),
         ("reference.time", 1),

@@ -184,7 +184,7 @@ fn a_page_takes_off_moves_lands_and_stops() {
     let mut served = served();
     let mut page = Page::open(&served);
     assert_eq!(page.hello["authenticated"], false);
-    assert_eq!(page.hello["parameters"].as_array().map(Vec::len), Some(20));
+    assert_eq!(page.hello["parameters"].as_array().map(Vec::len), Some(23));
     assert!(page.claim(served.hub.token(), false));
     let there = |x: f64| json!({ "type": "fly", "points": [{ "time": 0, "x": x, "y": 0, "z": 1, "yaw": 0 }] });
     page.ask(&there(0.0));

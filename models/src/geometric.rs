@@ -56,6 +56,7 @@ fn wanted_force(parameters: &Parameters, estimate: &Estimate, target: &Target) -
     let gains = parameters.geometric.place;
     let error = target.position - estimate.position;
     let error_rate = target.velocity - estimate.velocity;
-    let climb = Vector3::new(0.0, 0.0, target.climb_acceleration);
-    weight + (error * gains.p + error_rate * gains.d + climb) * parameters.mass
+    let along = target.acceleration;
+    let planned = Vector3::new(along.x, along.y, target.climb_acceleration);
+    weight + (error * gains.p + error_rate * gains.d + planned) * parameters.mass
 }

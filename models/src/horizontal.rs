@@ -3,6 +3,7 @@
 //! Yaw and thrust are unknown here. Under (2.11) the thrust has the direction (−sin θ2, sin θ1 cos θ2, cos θ1 cos θ2)
 //! at any yaw, so that only pitch acts along x, and only roll along y.
 
+use crate::airframe::GRAVITY;
 use crate::parameters::Parameters;
 use crate::signals::Target;
 use bessemer::prelude::*;
@@ -20,7 +21,9 @@ pub fn lean(
     }
     let error = target.position - position;
     let error_rate = target.velocity - velocity;
-    let roll = -parameters.y.respond(error.y, error_rate.y);
-    let pitch = parameters.x.respond(error.x, error_rate.x);
+    // The tilt of the planned acceleration, which the errors correct.
+    let planned = target.acceleration / GRAVITY;
+    let roll = planned.y - parameters.y.respond(error.y, error_rate.y);
+    let pitch = -planned.x + parameters.x.respond(error.x, error_rate.x);
     Vector3::new(roll, pitch, target.yaw)
 }

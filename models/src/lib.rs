@@ -10,6 +10,7 @@
 //! | [`calibration`] | conversion of counts to units | §6.1 |
 //! | [`estimator`], [`attitude_filter`], [`axis_filter`], [`low_pass`], [`stuck`], [`expectation`] | state estimation | §6.1 |
 //! | [`reference_generator`], [`touch_down`] | target: take-off, trajectory, sticks, landing | (3.20) |
+//! | [`shaper`] | horizontal set points with limited speed, acceleration and jerk | |
 //! | [`crash_predictor`], [`clock_monitor`] | alarms that stop the motors | §6.1 |
 //! | [`controller`] | closed loop | ch. 3 |
 //! | [`cascade`], [`printed`], [`geometric`] | control laws | ch. 3 |
@@ -58,6 +59,7 @@ pub mod printed;
 pub mod receiver;
 pub mod reference_generator;
 pub mod sender;
+pub mod shaper;
 pub mod signals;
 pub mod siphash;
 pub mod stuck;

@@ -110,8 +110,17 @@ impl Parameters {
         Push { force: wrench.thrust / self.mass, turn }
     }
 
-    /// Returns the parameters of the Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1).
+    /// Returns the parameters of the Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1), with more damping of the
+    /// position.
     pub fn mambo() -> Parameters {
+        let mut all = Parameters::thesis();
+        all.x.d = -0.24;
+        all.y.d = -0.24;
+        all
+    }
+
+    /// Returns the parameters of the Parrot Mambo at 200 Hz as in the thesis (tables 3.1 and A.1).
+    pub fn thesis() -> Parameters {
         let airframe = Airframe::mambo();
         Parameters {
             period: 0.005,

@@ -4,6 +4,7 @@
 
 use crate::geometry::wrapped;
 use crate::receiver::{Mode, Orders, Sticks};
+use crate::shaper::{Shaper, Shaping};
 use crate::signals::{Estimate, Target};
 use crate::trajectory::SetPoint;
 use bessemer::prelude::*;
@@ -45,6 +46,8 @@ pub struct Course {
     pub stick_timeout: f64,
     /// Largest height that sticks can ask for, m.
     pub ceiling: f64,
+    /// Limits of the set point.
+    pub shaping: Shaping,
     /// Largest rate of the yaw setpoint, rad/s: a step would take thrust from the height control.
     pub yaw_rate_limit: f64,
     /// Time without the ground station's heartbeat after which the aircraft holds its position, s.
@@ -64,6 +67,7 @@ impl Course {
             landing_rate: 0.25,
             stick_timeout: 0.5,
             ceiling: 2.5,
+            shaping: Shaping::room(),
             yaw_rate_limit: 1.0,
             hold_timeout: 1.0,
             landing_timeout: 6.0,
@@ -97,6 +101,8 @@ pub struct ReferenceGenerator {
     pub landing: f64,
     /// Last setpoint.
     pub wanted: SetPoint,
+    /// Set point after shaping.
+    pub shaper: Shaper,
     /// Yaw setpoint after rate limiting, rad.
     pub yaw: f64,
     /// True if the aircraft has left the ground.
@@ -137,7 +143,7 @@ impl ReferenceGenerator {
                 target.velocity.z = -course.landing_rate;
             }
         }
-        target.position = self.wanted.position;
+        self.shape(course, estimate, &mut target);
         target.position.z -= course.landing_rate * self.landing;
         self.turn(course, estimate, &mut target);
 
@@ -174,8 +180,7 @@ impl ReferenceGenerator {
     ) {
         let aloft = self.phase == Phase::Flight || self.phase == Phase::Hold;
         if degraded && (self.phase == Phase::TakeOff || aloft) {
-            self.wanted.position = estimate.position;
-            self.wanted.yaw = self.yaw;
+            self.stop(course, estimate);
         }
         let alone = orders.watched && orders.silence > course.hold_timeout;
         let link_lost = orders.watched && orders.silence > course.landing_timeout;
@@ -190,6 +195,40 @@ impl ReferenceGenerator {
             Phase::Landing if landed => Phase::Over,
             same => same,
         };
+    }
+
+    /// Wants the aircraft to stop where it is. A shaped set point stops gently, since the aircraft may have no attitude but
+    /// an estimate.
+    fn stop(&mut self, course: &Course, estimate: &Estimate) {
+        self.wanted.position = estimate.position;
+        self.wanted.yaw = self.yaw;
+        if course.shaping.is_active {
+            let along = Vector3::new(estimate.velocity.x, estimate.velocity.y, 0.0);
+            self.shaper.begin(&course.shaping, &estimate.position, &along);
+            self.wanted.position = self.shaper.ramp;
+        }
+    }
+
+    /// Shapes the set point. It follows the aircraft in the take-off, and rests at it while a pilot flies.
+    fn shape(&mut self, course: &Course, estimate: &Estimate, target: &mut Target) {
+        let shaping = &course.shaping;
+        target.position = self.wanted.position;
+        if !self.airborne || self.phase == Phase::TakeOff {
+            let climb = Vector3::new(0.0, 0.0, estimate.velocity.z);
+            self.shaper.begin(shaping, &estimate.position, &climb);
+            if shaping.is_active {
+                target.position.x = estimate.position.x;
+                target.position.y = estimate.position.y;
+            }
+        } else if target.manual {
+            self.shaper.rest(&self.wanted.position);
+        } else {
+            let shaped = self.shaper.step(shaping, course.period, &self.wanted.position);
+            target.position = shaped.position;
+            target.velocity += shaped.velocity;
+            target.acceleration = Vector2::new(shaped.acceleration.x, shaped.acceleration.y);
+            target.climb_acceleration = shaped.acceleration.z;
+        }
     }
 
     /// Moves the yaw setpoint to the requested yaw; until the aircraft is airborne it is the measured yaw.

@@ -27,6 +27,8 @@ pub struct Target {
     pub position: Vector3<f64>,
     /// Velocity in the inertial frame, m/s.
     pub velocity: Vector3<f64>,
+    /// Acceleration along x and y, m/s².
+    pub acceleration: Vector2<f64>,
     /// Vertical acceleration, m/s².
     pub climb_acceleration: f64,
     /// Yaw, rad.
@@ -52,6 +54,7 @@ impl Target {
         Target {
             position: Vector3::zeros(),
             velocity: Vector3::zeros(),
+            acceleration: Vector2::zeros(),
             climb_acceleration: 0.0,
             yaw: 0.0,
             yaw_rate: 0.0,

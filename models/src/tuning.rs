@@ -10,7 +10,7 @@ use bessemer::prelude::*;
 
 /// Number of parameters.
 #[data]
-pub const PARAMETER_COUNT: usize = 20;
+pub const PARAMETER_COUNT: usize = 23;
 
 /// Number of the first parameter that changes on the ground only.
 #[data]
@@ -23,35 +23,35 @@ const SMALL_MOTORS: usize = 4;
 /// Least value of each parameter of the Mambo.
 #[data]
 pub const LEAST_VALUES: [f64; PARAMETER_COUNT] = [
-    0.5, 0.0, 0.1, 0.004, 0.0, 0.001, 0.005, 0.0, 0.001, 0.001, 0.0004, -0.4, -0.2, -0.4, -0.2,
-    0.0, -0.05, 0.1, 0.1, 0.0,
+    0.5, 0.0, 0.1, 0.004, 0.0, 0.001, 0.005, 0.0, 0.001, 0.001, 0.0004, -0.4, -0.4, -0.4, -0.4,
+    0.0, -0.05, 0.1, 0.1, 0.0, 0.2, 0.5, 5.0,
 ];
 
 /// Largest value of each parameter of the Mambo.
 #[data]
 pub const LARGEST_VALUES: [f64; PARAMETER_COUNT] = [
     3.0, 0.2, 0.8, 0.02, 0.02, 0.005, 0.025, 0.02, 0.004, 0.01, 0.0025, -0.1, -0.04, -0.1, -0.04,
-    0.8, 0.05, 0.5, 0.4, 2.0,
+    0.8, 0.05, 0.5, 0.4, 2.0, 2.5, 5.0, 100.0,
 ];
 
 /// Least value of each parameter of the hexacopter.
 #[data]
 pub const HEXACOPTER_LEAST_VALUES: [f64; PARAMETER_COUNT] = [
     4.0, 0.0, 2.0, 0.5, 0.0, 0.1, 0.5, 0.0, 0.1, 0.03, 0.03, -0.4, -0.3, -0.4, -0.3, 0.0, -0.5,
-    0.1, 0.1, 0.0,
+    0.1, 0.1, 0.0, 0.2, 0.5, 5.0,
 ];
 
 /// Largest value of each parameter of the hexacopter.
 #[data]
 pub const HEXACOPTER_LARGEST_VALUES: [f64; PARAMETER_COUNT] = [
     40.0, 4.0, 16.0, 5.0, 1.5, 1.0, 5.0, 1.5, 1.0, 0.5, 0.3, -0.1, -0.04, -0.1, -0.04, 0.8, 0.5,
-    0.5, 0.4, 2.0,
+    0.5, 0.4, 2.0, 2.5, 5.0, 100.0,
 ];
 
 /// Returns the present values. P, I and D of the height (N/m, N/(m·s), N·s/m), of roll and of pitch (N·m/rad …); P and
 /// D of yaw, of x and of y (rad/m, rad·s/m). Then the final gain of the feed-forward, the friction that it cancels
-/// (N·s/m) and the landing rate (m/s). On the ground only: the excess thrust of the take-off and the number of the
-/// control law.
+/// (N·s/m) and the landing rate (m/s). On the ground only: the excess thrust of the take-off, the number of the
+/// control law, and the largest speed (m/s), acceleration (m/s²) and jerk (m/s³) of the set point.
 #[function]
 pub fn values(settings: &Settings) -> [f64; PARAMETER_COUNT] {
     let all = &settings.parameters;
@@ -76,6 +76,9 @@ pub fn values(settings: &Settings) -> [f64; PARAMETER_COUNT] {
         settings.course.landing_rate,
         all.takeoff_gain,
         all.candidate as u8 as f64,
+        settings.course.shaping.speed,
+        settings.course.shaping.acceleration,
+        settings.course.shaping.jerk,
     ]
 }
 
@@ -123,6 +126,9 @@ impl Settings {
         self.course.landing_rate = all[17];
         self.parameters.takeoff_gain = all[18];
         self.parameters.candidate = candidate(all[19]);
+        self.course.shaping.speed = all[20];
+        self.course.shaping.acceleration = all[21];
+        self.course.shaping.jerk = all[22];
         true
     }
 

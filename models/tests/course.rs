@@ -98,6 +98,27 @@ fn a_pilot_who_is_lost_leaves_the_aircraft_where_it_is() {
 }
 
 #[test]
+fn an_aircraft_that_must_land_at_once_stops_gently_ahead_of_its_place() {
+    let (course, orders) = (Course::mambo(), orders(0.0));
+    let mut generator = ReferenceGenerator::default();
+    flown(&mut generator, &orders, 3.0);
+    let moving = Estimate { velocity: Vector3::new(1.0, 0.0, 0.3), ..at(1.0, 0.0) };
+    let mut before = generator.step(&course, &orders, &moving, false, true);
+    assert_eq!(before.phase, Phase::Landing);
+    let place = before.target.position.x;
+    let limits = course.shaping;
+    for _ in 0..1000 {
+        let now = generator.step(&course, &orders, &moving, false, true);
+        assert!(now.target.velocity.x <= before.target.velocity.x && now.target.velocity.x >= 0.0);
+        assert!(now.target.acceleration.norm() < limits.acceleration / 2.0);
+        assert!(now.target.position.z < before.target.position.z);
+        before = now;
+    }
+    let way = before.target.position.x - place;
+    assert!((way - 2.0 / limits.rate()).abs() < 0.02, "{way}");
+}
+
+#[test]
 fn integrals_end_somewhere() {
     let parameters = Parameters::mambo();
     let (mut height, mut attitude) = (Height::default(), Attitude::default());

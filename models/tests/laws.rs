@@ -1,6 +1,6 @@
 //! The laws of the loops, one by one, against the thesis' formulas.
 
-use bessemer::nalgebra::{SVector, Vector3};
+use bessemer::nalgebra::{SVector, Vector2, Vector3};
 use models::{Attitude, Controller, Estimate, Height, Parameters, Target, horizontal};
 
 const WEIGHT: f64 = 0.07 * 9.81;
@@ -35,12 +35,18 @@ fn height_adds_its_three_terms() {
 
 #[test]
 fn to_go_forward_is_to_pitch_down_and_to_go_left_is_to_roll_up() {
-    let parameters = Parameters::mambo();
-    let target = Target { position: Vector3::new(1.0, 2.0, 3.0), yaw: 0.7, ..Target::default() };
+    let parameters = Parameters::thesis();
+    let mut target =
+        Target { position: Vector3::new(1.0, 2.0, 3.0), yaw: 0.7, ..Target::default() };
     let velocity = Vector3::new(0.3, 0.2, 0.1);
     let wanted = horizontal::lean(&parameters, &target, &Vector3::zeros(), &velocity);
     let expected = Vector3::new(0.24 * 2.0 - 0.1 * 0.2, -0.24 * 1.0 + 0.1 * 0.3, 0.7);
     assert!((wanted - expected).norm() < 1e-15, "{wanted}");
+    // A planned acceleration has its own tilt, in the same directions.
+    target.acceleration = Vector2::new(0.981, 1.962);
+    let planned = horizontal::lean(&parameters, &target, &Vector3::zeros(), &velocity);
+    let difference = planned - wanted - Vector3::new(0.2, -0.1, 0.0);
+    assert!(difference.norm() < 1e-15, "{planned}");
 }
 
 #[test]

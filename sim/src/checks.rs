@@ -12,7 +12,7 @@ pub enum Limit {
     /// A lower and an upper limit.
     Between(f64, f64),
     /// No limit: the value is only reported.
-    Told,
+    Reported,
     /// The value must be 1, which means that a statement holds.
     Holds,
 }
@@ -47,8 +47,8 @@ impl Check {
     }
 
     /// Creates a figure without a limit.
-    pub fn told(what: &str, value: f64, unit: &'static str) -> Self {
-        Self { what: what.to_owned(), value, limit: Limit::Told, unit }
+    pub fn reported(what: &str, value: f64, unit: &'static str) -> Self {
+        Self { what: what.to_owned(), value, limit: Limit::Reported, unit }
     }
 
     /// Creates a statement that must hold.
@@ -63,7 +63,7 @@ impl Check {
             Limit::AtMost(most) => self.value <= most,
             Limit::AtLeast(least) => self.value >= least,
             Limit::Between(least, most) => least <= self.value && self.value <= most,
-            Limit::Told => true,
+            Limit::Reported => true,
             Limit::Holds => self.value == 1.0,
         }
     }
@@ -76,7 +76,7 @@ impl Check {
             Limit::Between(least, most) => {
                 format!("{} … {}", number(least), with_unit(most, self.unit))
             }
-            Limit::Told | Limit::Holds => String::new(),
+            Limit::Reported | Limit::Holds => String::new(),
         }
     }
 

@@ -6,9 +6,27 @@ use crate::voyage::{Moment, Voyage};
 use models::airframe::GRAVITY;
 use models::geometry::wrapped;
 use models::{Airframe, Alarm, Phase};
+use nalgebra::Vector2;
 
 /// Error of height below which the height counts as settled, m.
 pub const CLOSE: f64 = 0.05;
+
+/// A horizontal step of the set point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Set point before the step, m.
+    pub start: Vector2<f64>,
+    /// Set point after the step, m.
+    pub end: Vector2<f64>,
+}
+
+impl Step {
+    /// Returns the share of the step that the aircraft has covered, along its direction.
+    fn way(&self, moment: &Moment) -> f64 {
+        let whole = self.end - self.start;
+        (moment.state.position.xy() - self.start).dot(&whole) / whole.norm_squared()
+    }
+}
 
 impl Voyage {
     /// Returns the periods between two times, s.
@@ -42,6 +60,25 @@ impl Voyage {
     pub fn settling(&self, from: f64, to: f64, goal: f64) -> f64 {
         let away = |moment: &&Moment| (moment.state.position.z - goal).abs() > CLOSE;
         self.between(from, to).filter(away).last().map_or(0.0, |moment| moment.time - from)
+    }
+
+    /// Returns the overshoot of a horizontal step between two times, as a fraction of its length.
+    pub fn step_overshoot(&self, from: f64, to: f64, step: &Step) -> f64 {
+        self.between(from, to).map(|moment| step.way(moment) - 1.0).fold(0.0, f64::max)
+    }
+
+    /// Returns the time after `from` from which on the aircraft stays within 5 % of the end of a horizontal step until
+    /// `to`, s.
+    pub fn step_settling(&self, from: f64, to: f64, step: &Step) -> f64 {
+        let near = 0.05 * (step.end - step.start).norm();
+        let away = |moment: &&Moment| (moment.state.position.xy() - step.end).norm() > near;
+        self.between(from, to).filter(away).last().map_or(0.0, |moment| moment.time - from)
+    }
+
+    /// Returns the largest tilt between two times, °.
+    pub fn tilt(&self, from: f64, to: f64) -> f64 {
+        let upright = |it: &Moment| it.state.angles.x.cos() * it.state.angles.y.cos();
+        self.worst(from, to, |moment| upright(moment).acos().to_degrees())
     }
 
     /// Returns the largest speed of touch-down, m/s; infinite if the aircraft is still in the air at the end.

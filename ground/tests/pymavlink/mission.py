@@ -80,15 +80,15 @@ assert heart.get_msgbuf()[0] == 0xFD, "MAVLink 2"
 
 link.mav.param_request_list_send(link.target_system, link.target_component)
 parameters = {}
-while len(parameters) < 20:
+while len(parameters) < 23:
     it = hear("PARAM_VALUE")
-    assert it.param_count == 20
+    assert it.param_count == 23
     if it.param_value == it.param_value:
         parameters[it.param_id] = it.param_value
     else:
         # Not known on the ground yet: asked for again.
         link.mav.param_request_read_send(link.target_system, link.target_component, b"", it.param_index)
-print("20 parameters", flush=True)
+print("23 parameters", flush=True)
 for name, value, kept in [("HEIGHT_P", 2.0, 2.0), ("HEIGHT_I", 9.0, parameters["HEIGHT_I"])]:
     link.mav.param_set_send(
         link.target_system, link.target_component, name.encode(), value, mavlink.MAV_PARAM_TYPE_REAL32

@@ -26,6 +26,9 @@ const NAMES: [&str; PARAMETER_COUNT] = [
     "LAND_RATE",
     "TAKEOFF_EXCESS",
     "CANDIDATE",
+    "POINT_SPEED",
+    "POINT_ACCEL",
+    "POINT_JERK",
 ];
 
 /// Returns the number of the parameter with a name.
