@@ -119,6 +119,9 @@ fn the_page_flies_the_aircraft() {
     // To a place in the plan: a quarter of the way right of its middle is 1.5 m along x.
     browser.click("#plan", (0.75, 0.5));
     browser.until("Number(document.body.dataset.place.split(',')[0]) > 1.3");
+    // At the height of the trajectory, though the set point was on its way there.
+    let height = "document.querySelector('[aria-label=\"z of point 1\"]').value";
+    assert_eq!(browser.see(height), "1");
     // Weight taken away.
     browser.press("2");
     browser.until("document.querySelector('#mode').innerText === 'feed-forward'");

@@ -55,7 +55,8 @@ const ask = (type: string, more: Record<string, unknown> = {}): void => socket.s
 
 const plan = new Plan(get<HTMLCanvasElement>("plan"), (x, y) => {
   const round = (value: number) => Math.round(value * 100) / 100;
-  const wanted = history.now[WANTED + 2];
+  // The height of the trajectory; without one, that of the set point, which may be on its way.
+  const wanted = plan.course[plan.course.length - 1]?.z ?? history.now[WANTED + 2];
   points = [{ time: 0, x: round(x), y: round(y), z: wanted && wanted > 0.2 ? round(wanted) : 1, yaw: 0 }];
   list();
   send();
