@@ -39,7 +39,7 @@ bessemer_status_t held_iterators_made_before(const double samples[4], uint64_t n
                 if (product_2 > smaller) {
                     return BESSEMER_STATUS_OVERFLOW;
                 }
-                if (UINT64_C(0) >= smaller - product_2) {
+                if (smaller - product_2 == UINT64_C(0)) {
                     return BESSEMER_STATUS_INDEX;
                 }
                 const uint64_t samples_index = i * n;

@@ -175,7 +175,7 @@ bessemer_status_t pieces_numbered(uint8_t data[7], uint64_t size)
             if (product_2 > smaller) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            if (UINT64_C(0) >= smaller - product_2) {
+            if (smaller - product_2 == UINT64_C(0)) {
                 return BESSEMER_STATUS_INDEX;
             }
             const uint64_t data_index = number * size;

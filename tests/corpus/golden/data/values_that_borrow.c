@@ -108,7 +108,7 @@ bessemer_status_t values_that_borrow_reader_byte(
         *result = (option_u8_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
-    if (UINT64_C(0) >= byte.value.length) {
+    if (byte.value.length == UINT64_C(0)) {
         return BESSEMER_STATUS_INDEX;
     }
     if (byte.value.from >= self_rest_length) {
@@ -388,14 +388,14 @@ bessemer_status_t values_that_borrow_seen(const double values[6],
     pair_slice_f64_slice_f64_t pair;
     values_that_borrow_halves(values, UINT64_C(6), &pair);
     slice_f64_t longer;
-    if (UINT64_C(0) >= pair.second.length) {
+    if (pair.second.length == UINT64_C(0)) {
         return BESSEMER_STATUS_INDEX;
     }
     if (pair.second.from >= UINT64_C(6)) {
         return BESSEMER_STATUS_INDEX;
     }
     const double longer_left = values[pair.second.from];
-    if (UINT64_C(0) >= pair.first.length) {
+    if (pair.first.length == UINT64_C(0)) {
         return BESSEMER_STATUS_INDEX;
     }
     if (longer_left > values[pair.first.from]) {

@@ -14,6 +14,7 @@ use super::super::tree::Expr;
 use super::Lower;
 use super::bits::{is_raised, is_widened, masked, uncast};
 use super::place::is_small;
+use super::range::const_value;
 
 impl Lower<'_> {
     /// Returns the languages of those that read the function: an inline one may be in a header.
@@ -51,11 +52,8 @@ impl Lower<'_> {
             ExprKind::Binary(op, left, right) => self.binary(*op, left, right),
             ExprKind::Compare(op, left, right) => self.compare(*op, left, right),
             ExprKind::Logic(op, left, right) => {
-                let op = match op {
-                    LogicOp::And => "&&",
-                    LogicOp::Or => "||",
-                };
-                Expr::binary(op, self.word(left), self.word(right))
+                let [left, right] = [left, right].map(|it| self.word(it));
+                both(*op, left, right)
             }
             ExprKind::Cast(operand) => self.cast(operand, &expr.ty),
             ExprKind::Intrinsic(intrinsic, operands) => {
@@ -170,7 +168,13 @@ impl Lower<'_> {
         }
         let limit = |value: Expr, ir: &Ir| super::range::limit(ir).unwrap_or(value);
         let (a, b) = (limit(masked(a, left), left), limit(masked(b, right), right));
-        Expr::binary(comparison(op), self.comparable(a), self.comparable(b))
+        let (a, b) = (self.comparable(a), self.comparable(b));
+        let natural = left.ty.as_int().is_some_and(|int| !int.signed());
+        match op {
+            CompareOp::Ge if natural && const_value(left) == Some(0) => Expr::binary("==", b, a),
+            CompareOp::Lt if natural && const_value(left) == Some(0) => Expr::binary(">", b, a),
+            _ => Expr::binary(comparison(op), a, b),
+        }
     }
 
     /// Returns a compared enum as it is in memory, where that does not change the result. An invalid value equals only the
@@ -197,11 +201,8 @@ impl Lower<'_> {
                 self.compare(turned(*op), left, right)
             }
             ExprKind::Logic(op, left, right) if has_negation(left) && has_negation(right) => {
-                let op = match op {
-                    LogicOp::And => "||",
-                    LogicOp::Or => "&&",
-                };
-                Expr::binary(op, self.negated(left), self.negated(right))
+                let [left, right] = [left, right].map(|it| self.negated(it));
+                both(if *op == LogicOp::And { LogicOp::Or } else { LogicOp::And }, left, right)
             }
             _ => not(self.word(condition)),
         }
@@ -289,5 +290,27 @@ fn of_bool(operand: &Ir) -> Option<&Ir> {
             matches!(mask.kind, ExprKind::Literal(word) if word & 1 == 1).then(|| of_bool(value))?
         }
         _ => None,
+    }
+}
+
+/// Returns the truth of a condition that is a constant.
+pub(super) fn truth_of(condition: &Expr) -> Option<bool> {
+    match condition {
+        Expr::Name(name) if name == "true" => Some(true),
+        Expr::Name(name) if name == "false" => Some(false),
+        _ => None,
+    }
+}
+
+/// Returns a condition of two, without one that is a constant and changes nothing.
+fn both(op: LogicOp, left: Expr, right: Expr) -> Expr {
+    let (name, neutral) = match op {
+        LogicOp::And => ("&&", true),
+        LogicOp::Or => ("||", false),
+    };
+    match (truth_of(&left), truth_of(&right)) {
+        (Some(truth), _) if truth == neutral => right,
+        (_, Some(truth)) if truth == neutral => left,
+        _ => Expr::binary(name, left, right),
     }
 }
