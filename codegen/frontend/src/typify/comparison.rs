@@ -343,34 +343,10 @@ impl Lowering<'_, '_> {
             (false, tags) => tags,
         };
         let first = Expr::compare(strict(op), one, other).at(span);
-        let mut held: Option<Expr> = None;
-        for (word, case) in (0..).zip(self.cx.known_of(id).cases.clone()) {
-            let Some(field) = case.field else { continue };
-            let there = self.tag_is(&pair.sides[0], id, word);
-            let part = pair.parts(|whole| self.part(whole, id, field as usize));
-            let ordered = |inner: &mut Self| match (case.single, &part.sides[0].ty) {
-                (false, Type::Struct(parts)) => {
-                    let steps = inner.steps_to_fields(*parts);
-                    inner.by_parts(op, &part, steps)
-                }
-                _ => {
-                    let [one, other] = part.sides.clone().map(|side| side.load());
-                    inner.compare_node(op, one, other, part.site)
-                }
-            };
-            let of_case = if op == strict(op) {
-                self.logic_and(there, &mut Vec::new(), |inner, _| ordered(inner))?
-            } else {
-                self.short_circuit(LogicOp::Or, there.negated(), span, ordered)?
-            };
-            held = Some(match held {
-                None => of_case,
-                Some(held) if op == strict(op) => Expr::logic(LogicOp::Or, held, of_case),
-                Some(held) => Expr::logic(LogicOp::And, held, of_case),
-            });
-        }
-        let held = held.unwrap_or_else(|| Expr::bool(op != strict(op), span));
-        Ok(Expr::logic(LogicOp::Or, first, Expr::logic(LogicOp::And, same, held)))
+        // A payload is read where both have its variant, also by what an operand of `&&` computes before.
+        let held =
+            self.logic_and(same, &mut Vec::new(), |inner, _| payloads(inner, op, id, pair))?;
+        Ok(Expr::logic(LogicOp::Or, first, held))
     }
 
     /// Returns the number of an enum's value that `<` compares.
@@ -418,6 +394,43 @@ impl Lowering<'_, '_> {
             _ => None,
         }
     }
+}
+
+/// Compares the payloads of two values of one variant.
+fn payloads(
+    lower: &mut Lowering<'_, '_>,
+    op: CompareOp,
+    id: StructId,
+    pair: &Pair,
+) -> Result<Expr> {
+    let span = pair.span;
+    let mut held: Option<Expr> = None;
+    for (word, case) in (0..).zip(lower.cx.known_of(id).cases.clone()) {
+        let Some(field) = case.field else { continue };
+        let there = lower.tag_is(&pair.sides[0], id, word);
+        let part = pair.parts(|whole| lower.part(whole, id, field as usize));
+        let ordered = |inner: &mut Lowering<'_, '_>| match (case.single, &part.sides[0].ty) {
+            (false, Type::Struct(parts)) => {
+                let steps = inner.steps_to_fields(*parts);
+                inner.by_parts(op, &part, steps)
+            }
+            _ => {
+                let [one, other] = part.sides.clone().map(|side| side.load());
+                inner.compare_node(op, one, other, part.site)
+            }
+        };
+        let of_case = if op == strict(op) {
+            lower.logic_and(there, &mut Vec::new(), |inner, _| ordered(inner))?
+        } else {
+            lower.short_circuit(LogicOp::Or, there.negated(), span, ordered)?
+        };
+        held = Some(match held {
+            None => of_case,
+            Some(held) if op == strict(op) => Expr::logic(LogicOp::Or, held, of_case),
+            Some(held) => Expr::logic(LogicOp::And, held, of_case),
+        });
+    }
+    Ok(held.unwrap_or_else(|| Expr::bool(op != strict(op), span)))
 }
 
 /// Emits the body of a function that compares two values.
