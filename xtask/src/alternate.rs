@@ -1,11 +1,11 @@
 //! The tests that take longest, of which a run takes half: those of its turn. `--full` takes all.
 //!
-//! Each of them tests a whole once more in another way: other layouts of the C, other sizes, another package. What tells
-//! first that something broke, the corpus on each leg and its golden files, is in each run.
+//! Each of them tests a whole once more in another way: other layouts of the C, other sizes, another package. The
+//! corpus on each leg and its golden files, by which most errors show first, are in each run.
 //!
-//! What it must not know: what the tests test.
+//! It must not know the subject of a test.
 
-/// Titles of the tests of an even turn, and of those of an odd one; each list takes some 140 s of processor.
+/// Titles of the tests of an even turn, and of those of an odd one; the lists take about as long.
 pub const TESTS: [&[&str]; 2] = [
     &[
         "bessemer-tests/all::command::a_new_package_is_simulated_and_generated",

@@ -187,7 +187,7 @@ fn frames_of_every_version_and_either_axis_are_read_and_others_are_counted() {
         let wanted = Vicon { position: Vector3::new(0.5, 2.0, 1.25), ..seen(0.0) };
         send(&frame(20, here));
         assert_eq!(receiver.await_next(limit()), wanted, "{version}");
-        // Of these, the last one is new.
+        // A repeated frame, an older one, half a frame and noise are dropped; the last frame has lost the body.
         send(&frame(20, here));
         send(&frame(19, here));
         send(&frame(21, here)[..50]);

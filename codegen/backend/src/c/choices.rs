@@ -139,14 +139,11 @@ impl<'n> Enumerators<'n> {
                 (Some(test), Some(first)) if test.compares_like(first) => tests.push(test),
                 (None, Some(first)) if !calls(&link.condition) => {
                     let every = (0..self.enums[first.id].len()).collect();
-                    let guard = Some(link.condition.clone());
-                    let of = first.of.clone();
-                    let id = first.id;
                     tests.push(Test {
-                        of,
-                        id,
+                        of: first.of.clone(),
+                        id: first.id,
                         variants: every,
-                        guard,
+                        guard: Some(link.condition.clone()),
                         compares: false,
                         brought: None,
                     });
@@ -155,7 +152,9 @@ impl<'n> Enumerators<'n> {
             }
         }
         let brought = tests.iter().find_map(|test| test.brought.clone());
-        tests.first_mut().into_iter().for_each(|first| first.brought = brought.clone());
+        if let Some(first) = tests.first_mut() {
+            first.brought = brought;
+        }
         tests
     }
 

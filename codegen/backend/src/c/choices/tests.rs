@@ -167,7 +167,7 @@ fn each_variant_and_flag_meets_the_same_branch() {
                 let (mut one, mut other) = (start.clone(), start);
                 run(&before, &mut one);
                 run(&after, &mut other);
-                // What is still invalid counts as the last variant from there on.
+                // A place that is still invalid counts as the last variant, so both states do.
                 for world in [&mut one, &mut other] {
                     if world.state == "E" {
                         world.state = VARIANTS[3].to_owned();

@@ -55,7 +55,7 @@ impl<'m> State<'m> {
         self.keep(condition, truth);
         // It may exclude one of two alternatives that were known, so that the other holds.
         for either in self.relations.alternatives_about(condition) {
-            let ExprKind::Logic(_, a, b) = &either.kind else { continue };
+            let ExprKind::Logic(LogicOp::Or, a, b) = &either.kind else { continue };
             for (one, other) in [(a, b), (b, a)] {
                 if Rule::Excluded.told(self.is(one, false)) {
                     self.keep(other, true);

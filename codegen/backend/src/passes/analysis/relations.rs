@@ -47,7 +47,8 @@ impl Relations {
         let mut roots = 0;
         condition.each_place(|place, _| roots |= bit(place.root));
         let is_about = |it: &&Relation| {
-            it.glance.roots & roots != 0 && matches!(it.condition.kind, ExprKind::Logic(..))
+            it.glance.roots & roots != 0
+                && matches!(it.condition.kind, ExprKind::Logic(LogicOp::Or, ..))
         };
         let about = self.0.iter().rev().filter(is_about).take(ALTERNATIVES);
         about.map(|it| Rc::clone(&it.condition)).collect()
