@@ -194,6 +194,22 @@ fn arguments_are_checked() {
 }
 
 #[test]
+fn a_payload_of_another_variant_is_not_read() {
+    let text = "
+        struct OptionU8 choice(-, 1) { is_some: bool, value: u8 }
+        fn held(x: &OptionU8) -> u8 { return x.value; }
+        fn held_or_0(x: &OptionU8) -> bool { return x.is_some && x.value == 7u8; }
+        fn set(x: &mut OptionU8) { x.value = 7u8; x.is_some = true; }
+    ";
+    let module = parse(text).unwrap_or_else(|error| panic!("{error:?}"));
+    let run = |id, option: [u64; 2]| call(&module, FunctionId(id), &mut [option.to_vec()]);
+    assert_eq!(run(0, [1, 7]), Ok(vec![7]));
+    assert!(matches!(run(0, [0, 7]), Err(Stop::Absent { function: FunctionId(0), .. })));
+    assert_eq!(run(1, [0, 7]), Ok(vec![0]), "the first operand excludes the read");
+    assert_eq!(run(2, [0, 0]), Ok(vec![]), "a write is no read");
+}
+
+#[test]
 fn endless_counting_stops_at_the_limit() {
     let text = "fn f() { for i: u64 in 0u64..18446744073709551615u64 { } }";
     let module = parse(text).unwrap_or_default();

@@ -7,6 +7,7 @@
 //!
 //! * The module was validated; otherwise calls may panic.
 //! * Evaluation is strictly left to right, operands before the operation.
+//! * A payload is read only while its variant is there. Its words exist otherwise too, so the C's results would not show it.
 //! * A function call does not allocate, once the memory is large enough.
 //!
 //! Must not have: C, passes, or an optimisation that could change an order. It must stay small enough to be verified
@@ -36,6 +37,14 @@ pub enum Stop {
         /// Function with the fault: the called one, or a callee.
         function: FunctionId,
         /// Span of the operation.
+        span: Span,
+    },
+    /// A payload was read whose variant is not there: a defect of what generated the IR.
+    #[error("a payload of another variant is read in function {} at {}:{}:{}", function.0, span.file, span.line, span.column)]
+    Absent {
+        /// Function that reads it.
+        function: FunctionId,
+        /// Span of the value.
         span: Span,
     },
     /// The call took more statements than [`Interpreter::limit`] allows.

@@ -238,8 +238,22 @@ impl<'m, 'r> Run<'m, 'r> {
         Ok(Flow::Next)
     }
 
+    /// Returns the address of a place that is read, whose payloads must be there.
+    fn read(&mut self, frame: Frame<'m, 'r>, place: &'m Place) -> Result<usize, Stop> {
+        match self.locate(frame, place)? {
+            (address, true) => Ok(address),
+            (_, false) => Err(Stop::Absent { function: frame.id, span: place.span }),
+        }
+    }
+
     /// Returns the address of a place; its indices are evaluated and checked in order.
     fn address(&mut self, frame: Frame<'m, 'r>, place: &'m Place) -> Result<usize, Stop> {
+        Ok(self.locate(frame, place)?.0)
+    }
+
+    /// Returns the address of a place, and false if it is in a payload whose variant is not there.
+    fn locate(&mut self, frame: Frame<'m, 'r>, place: &'m Place) -> Result<(usize, bool), Stop> {
+        let mut is_there = true;
         let local = frame.function.local(place.root);
         let slot = frame.base + frame.offsets[place.root.index()];
         let mut address = match local.mode {
@@ -250,8 +264,11 @@ impl<'m, 'r> Run<'m, 'r> {
         for step in &place.steps {
             match (step, ty) {
                 (Step::Field(field), Type::Struct(id)) => {
-                    address += self.layout.fields(*id).offsets[*field as usize];
-                    ty = &self.module.structs[id.index()].fields[*field as usize].ty;
+                    let (definition, field) = (&self.module.structs[id.index()], *field as usize);
+                    let tag = self.memory.get(address).copied().unwrap_or_default();
+                    is_there &= definition.holds(field, tag);
+                    address += self.layout.fields(*id).offsets[field];
+                    ty = &definition.fields[field].ty;
                 }
                 (Step::From(from), Type::Array { element, len }) => {
                     address += self.index(frame, from, *len + 1)? * self.layout.size(element);
@@ -289,7 +306,7 @@ impl<'m, 'r> Run<'m, 'r> {
                 _ => unreachable!("validated: steps fit the types they step into"),
             }
         }
-        Ok(address)
+        Ok((address, is_there))
     }
 
     fn index(&mut self, frame: Frame<'m, 'r>, index: &'m Expr, len: u32) -> Result<usize, Stop> {
@@ -317,7 +334,7 @@ impl<'m, 'r> Run<'m, 'r> {
             ExprKind::Literal(word) => Ok(*word),
             ExprKind::Const(id) => Ok(self.module.consts[id.index()].words[0]),
             ExprKind::Load(place) => {
-                let address = self.address(frame, place)?;
+                let address = self.read(frame, place)?;
                 Ok(self.memory[address])
             }
             ExprKind::Unary(op, operand) => {
@@ -375,7 +392,7 @@ impl<'m, 'r> Run<'m, 'r> {
     fn value(&mut self, frame: Frame<'m, 'r>, expr: &'m Expr, out: usize) -> Result<(), Stop> {
         match &expr.kind {
             ExprKind::Load(place) => {
-                let address = self.address(frame, place)?;
+                let address = self.read(frame, place)?;
                 self.copy(address, out, self.layout.size(&expr.ty));
             }
             ExprKind::Const(id) => {
@@ -416,7 +433,7 @@ impl<'m, 'r> Run<'m, 'r> {
             let at = match &operand.kind {
                 // Read where it lies, unless what follows could write there.
                 ExprKind::Load(place) if operands[index + 1..].iter().all(is_plain) => {
-                    self.address(frame, place)?
+                    self.read(frame, place)?
                 }
                 _ => {
                     let at = self.allocate(self.layout.size(&operand.ty));
@@ -444,8 +461,10 @@ impl<'m, 'r> Run<'m, 'r> {
             let slot = callee.base + callee.offsets[index];
             match argument {
                 Argument::Value(expr) => self.value(frame, expr, slot)?,
-                Argument::Ref(Expr { kind: ExprKind::Load(place), .. })
-                | Argument::RefMut(place) => {
+                Argument::Ref(Expr { kind: ExprKind::Load(place), .. }) => {
+                    self.memory[slot] = self.read(frame, place)? as u64;
+                }
+                Argument::RefMut(place) => {
                     self.memory[slot] = self.address(frame, place)? as u64;
                 }
                 Argument::Ref(expr) => {

@@ -59,6 +59,7 @@
 #include "option_option_u8.h"
 #include "option_u16.h"
 #include "option_u8.h"
+#include "ordered_payloads.h"
 #include "own_equalities.h"
 #include "own_equality.h"
 #include "pair_f32_bool.h"
@@ -84,6 +85,7 @@
 #include "u128.h"
 #include "unit_quaternion.h"
 #include "unit_quaternions.h"
+#include "wide_methods.h"
 
 /**
  * Returns true if `one` is less than `other` in the order of `total_cmp`: −0 before +0, NaN last.
@@ -751,6 +753,29 @@ static inline void comparison_greater_version(const derived_order_version_t *one
     }
 }
 
+/** Whether the first is less, by the first parts that differ. */
+static inline bool derived_order_key_less(const derived_order_key_t *one,
+    const derived_order_key_t *other)
+{
+    if (one->source != other->source) {
+        return one->source < other->source;
+    }
+    if (!(one->version.major == other->version.major && one->version.minor == other->version.minor
+            && one->version.patch == other->version.patch)) {
+        return one->version.major < other->version.major
+            || (one->version.major == other->version.major
+            && (one->version.minor < other->version.minor
+            || (one->version.minor == other->version.minor
+            && one->version.patch < other->version.patch)));
+    }
+    for (uint32_t i = 0U; i < 2U; i++) {
+        if (one->numbers[i] != other->numbers[i]) {
+            return one->numbers[i] < other->numbers[i];
+        }
+    }
+    return false;
+}
+
 /** Whether the two are equal, part by part. */
 static inline bool derived_order_version_equal(const derived_order_version_t *one,
     const derived_order_version_t *other)
@@ -773,22 +798,36 @@ static inline bool derived_order_key_equal(const derived_order_key_t *one,
 static inline ordering_t comparison_compare_key(const derived_order_key_t *one,
     const derived_order_key_t *other)
 {
-    if (one->source < other->source || (one->source == other->source
-            && (one->version.major < other->version.major
-            || (one->version.major == other->version.major
-            && (one->version.minor < other->version.minor
-            || (one->version.minor == other->version.minor && one->version.patch < other->version.patch)))
-            || (one->version.major == other->version.major
-            && one->version.minor == other->version.minor
-            && one->version.patch == other->version.patch
-            && (one->numbers[0] < other->numbers[0]
-            || (one->numbers[0] == other->numbers[0] && one->numbers[1] < other->numbers[1])))))) {
+    if (derived_order_key_less(one, other)) {
         return ORDERING_LESS;
     } else if (derived_order_key_equal(one, other)) {
         return ORDERING_EQUAL;
     } else {
         return ORDERING_GREATER;
     }
+}
+
+/** Whether the first is less or equal, by the first parts that differ. */
+static inline bool derived_order_key_less_or_equal(const derived_order_key_t *one,
+    const derived_order_key_t *other)
+{
+    if (one->source != other->source) {
+        return one->source < other->source;
+    }
+    if (!(one->version.major == other->version.major && one->version.minor == other->version.minor
+            && one->version.patch == other->version.patch)) {
+        return one->version.major < other->version.major
+            || (one->version.major == other->version.major
+            && (one->version.minor < other->version.minor
+            || (one->version.minor == other->version.minor
+            && one->version.patch < other->version.patch)));
+    }
+    for (uint32_t i = 0U; i < 2U; i++) {
+        if (one->numbers[i] != other->numbers[i]) {
+            return one->numbers[i] < other->numbers[i];
+        }
+    }
+    return true;
 }
 
 /** Order of two numbers that may have none: NaN has no order. */
@@ -918,6 +957,208 @@ static inline bool list3_axis_wish_equal(const list3_axis_wish_t *one,
     return true;
 }
 
+/** Whether the first is less, by the first parts that differ. */
+static inline bool sensor_report_less(const sensor_report_t *one, const sensor_report_t *other)
+{
+    if (one->tag == SENSOR_REPORT_TAG_LEVEL && other->tag == SENSOR_REPORT_TAG_LEVEL) {
+        return one->as.level < other->as.level;
+    }
+    if (one->tag == SENSOR_REPORT_TAG_WINDOW && other->tag == SENSOR_REPORT_TAG_WINDOW) {
+        for (uint32_t i = 0U; i < 6U; i++) {
+            if (one->as.window.first[i] != other->as.window.first[i]) {
+                return one->as.window.first[i] < other->as.window.first[i];
+            }
+        }
+        return one->as.window.second < other->as.window.second;
+    }
+    if (one->tag == SENSOR_REPORT_TAG_SPAN && other->tag == SENSOR_REPORT_TAG_SPAN) {
+        return one->as.span.low < other->as.span.low
+            || (one->as.span.low == other->as.span.low && one->as.span.high < other->as.span.high);
+    }
+    if (one->tag == SENSOR_REPORT_TAG_ROWS && other->tag == SENSOR_REPORT_TAG_ROWS) {
+        for (uint32_t i = 0U; i < 9U; i++) {
+            for (uint32_t j = 0U; j < 2U; j++) {
+                if (one->as.rows[i][j] != other->as.rows[i][j]) {
+                    return one->as.rows[i][j] < other->as.rows[i][j];
+                }
+            }
+        }
+        return false;
+    }
+    return one->tag < other->tag;
+}
+
+/** Whether the first is less or equal, by the first parts that differ. */
+static inline bool sensor_report_less_or_equal(const sensor_report_t *one,
+    const sensor_report_t *other)
+{
+    if (one->tag == SENSOR_REPORT_TAG_LEVEL && other->tag == SENSOR_REPORT_TAG_LEVEL) {
+        return one->as.level <= other->as.level;
+    }
+    if (one->tag == SENSOR_REPORT_TAG_WINDOW && other->tag == SENSOR_REPORT_TAG_WINDOW) {
+        for (uint32_t i = 0U; i < 6U; i++) {
+            if (one->as.window.first[i] != other->as.window.first[i]) {
+                return one->as.window.first[i] < other->as.window.first[i];
+            }
+        }
+        return one->as.window.second <= other->as.window.second;
+    }
+    if (one->tag == SENSOR_REPORT_TAG_SPAN && other->tag == SENSOR_REPORT_TAG_SPAN) {
+        return one->as.span.low < other->as.span.low
+            || (one->as.span.low == other->as.span.low
+            && one->as.span.high <= other->as.span.high);
+    }
+    if (one->tag == SENSOR_REPORT_TAG_ROWS && other->tag == SENSOR_REPORT_TAG_ROWS) {
+        for (uint32_t i = 0U; i < 9U; i++) {
+            for (uint32_t j = 0U; j < 2U; j++) {
+                if (one->as.rows[i][j] != other->as.rows[i][j]) {
+                    return one->as.rows[i][j] < other->as.rows[i][j];
+                }
+            }
+        }
+        return true;
+    }
+    return one->tag <= other->tag;
+}
+
+/** Whether the first is less, by the first parts that differ. */
+static inline bool option_sensor_report_less(const option_sensor_report_t *one,
+    const option_sensor_report_t *other)
+{
+    if (one->is_some && other->is_some) {
+        return sensor_report_less(&one->value, &other->value);
+    }
+    return one->is_some < other->is_some;
+}
+
+/** Whether the first is less or equal, by the first parts that differ. */
+static inline bool option_sensor_report_less_or_equal(const option_sensor_report_t *one,
+    const option_sensor_report_t *other)
+{
+    if (one->is_some && other->is_some) {
+        return sensor_report_less_or_equal(&one->value, &other->value);
+    }
+    return one->is_some <= other->is_some;
+}
+
+/** Whether the first is less or equal, by the first parts that differ. */
+static inline bool result_sensor_report_i32x3_less_or_equal(const result_sensor_report_i32x3_t *one,
+    const result_sensor_report_i32x3_t *other)
+{
+    if (!one->is_ok && !other->is_ok) {
+        for (uint32_t i = 0U; i < 3U; i++) {
+            if (one->as.error[i] != other->as.error[i]) {
+                return one->as.error[i] < other->as.error[i];
+            }
+        }
+        return true;
+    }
+    if (one->is_ok && other->is_ok) {
+        return sensor_report_less_or_equal(&one->as.value, &other->as.value);
+    }
+    return other->is_ok <= one->is_ok;
+}
+
+/** Whether the first is less, by the first parts that differ. */
+static inline bool result_sensor_report_i32x3_less(const result_sensor_report_i32x3_t *one,
+    const result_sensor_report_i32x3_t *other)
+{
+    if (!one->is_ok && !other->is_ok) {
+        for (uint32_t i = 0U; i < 3U; i++) {
+            if (one->as.error[i] != other->as.error[i]) {
+                return one->as.error[i] < other->as.error[i];
+            }
+        }
+        return false;
+    }
+    if (one->is_ok && other->is_ok) {
+        return sensor_report_less(&one->as.value, &other->as.value);
+    }
+    return other->is_ok < one->is_ok;
+}
+
+/** Whether the first is less, by the first parts that differ. */
+static inline bool pair_i32_sensor_report_less(const pair_i32_sensor_report_t *one,
+    const pair_i32_sensor_report_t *other)
+{
+    if (one->first != other->first) {
+        return one->first < other->first;
+    }
+    return sensor_report_less(&one->second, &other->second);
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool sensor_report_window_equal(const sensor_report_window_t *one,
+    const sensor_report_window_t *other)
+{
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (one->first[i] != other->first[i]) {
+            return false;
+        }
+    }
+    return one->second == other->second;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool level_span_equal(const level_span_t *one, const level_span_t *other)
+{
+    return one->low == other->low && one->high == other->high;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool sensor_report_equal(const sensor_report_t *one, const sensor_report_t *other)
+{
+    if (!(one->tag == other->tag && (one->tag != SENSOR_REPORT_TAG_LEVEL
+            || one->as.level == other->as.level)
+            && (one->tag != SENSOR_REPORT_TAG_WINDOW
+            || sensor_report_window_equal(&one->as.window, &other->as.window))
+            && (one->tag != SENSOR_REPORT_TAG_SPAN
+            || level_span_equal(&one->as.span, &other->as.span)))) {
+        return false;
+    }
+    if (one->tag == SENSOR_REPORT_TAG_ROWS) {
+        for (uint32_t i = 0U; i < 9U; i++) {
+            if (!(one->as.rows[i][0] == other->as.rows[i][0]
+                    && one->as.rows[i][1] == other->as.rows[i][1])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/** Whether the first is less or equal, by the first parts that differ. */
+static inline bool pair_sensor_report_i32x2_less_or_equal(const pair_sensor_report_i32x2_t *one,
+    const pair_sensor_report_i32x2_t *other)
+{
+    if (!sensor_report_equal(&one->first, &other->first)) {
+        return sensor_report_less(&one->first, &other->first);
+    }
+    for (uint32_t i = 0U; i < 2U; i++) {
+        if (one->second[i] != other->second[i]) {
+            return one->second[i] < other->second[i];
+        }
+    }
+    return true;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool reverse_sensor_report_equal(const reverse_sensor_report_t *one,
+    const reverse_sensor_report_t *other)
+{
+    return sensor_report_equal(&one->value, &other->value);
+}
+
+/** Whether the first is less or equal, by the first parts that differ. */
+static inline bool pair_reverse_sensor_report_i32_less_or_equal(
+    const pair_reverse_sensor_report_i32_t *one, const pair_reverse_sensor_report_i32_t *other)
+{
+    if (!reverse_sensor_report_equal(&one->first, &other->first)) {
+        return sensor_report_less(&other->first.value, &one->first.value);
+    }
+    return one->second <= other->second;
+}
+
 /**
  * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
@@ -996,6 +1237,26 @@ static inline void bessemer_search_binary_search_u8(const uint8_t values[], uint
         result->is_ok = false;
         result->as.error = from;
     }
+}
+
+/** Whether the first is less, by the first parts that differ. */
+static inline bool pair_reverse_u8_i16_less(const pair_reverse_u8_i16_t *one,
+    const pair_reverse_u8_i16_t *other)
+{
+    if (one->first.value != other->first.value) {
+        return other->first.value < one->first.value;
+    }
+    return one->second < other->second;
+}
+
+/** Whether the first is less, by the first parts that differ. */
+static inline bool pair_u8_reverse_i16_less(const pair_u8_reverse_i16_t *one,
+    const pair_u8_reverse_i16_t *other)
+{
+    if (one->first != other->first) {
+        return one->first < other->first;
+    }
+    return other->second.value < one->second.value;
 }
 
 /**
@@ -1990,10 +2251,31 @@ static inline void u128_checked_mul(const u128_t *a, const u128_t *b, option_u12
     }
 }
 
-/** Whether the two are equal, part by part. */
-static inline bool i128_equal(const i128_t *one, const i128_t *other)
+/** Whether the first is less, by the first parts that differ. */
+static inline bool option_u128_less(const option_u128_t *one, const option_u128_t *other)
 {
-    return one->high == other->high && one->low == other->low;
+    if (one->is_some && other->is_some) {
+        return one->value.high < other->value.high
+            || (one->value.high == other->value.high && one->value.low < other->value.low);
+    }
+    return one->is_some < other->is_some;
+}
+
+/** Whether the first is less, by the first parts that differ. */
+static inline bool totals_less(const totals_t *one, const totals_t *other)
+{
+    if (!(one->count.high == other->count.high && one->count.low == other->count.low)) {
+        return one->count.high < other->count.high
+            || (one->count.high == other->count.high && one->count.low < other->count.low);
+    }
+    for (uint32_t i = 0U; i < 2U; i++) {
+        if (!(one->sums[i].high == other->sums[i].high && one->sums[i].low == other->sums[i].low)) {
+            return one->sums[i].high < other->sums[i].high
+                || (one->sums[i].high == other->sums[i].high
+                && one->sums[i].low < other->sums[i].low);
+        }
+    }
+    return option_u128_less(&one->last, &other->last);
 }
 
 /** The difference, wrapped to 128 bits. */
@@ -2324,6 +2606,17 @@ static inline ordering_t comparison_compare_u128(const u128_t *one, const u128_t
     } else {
         return ORDERING_GREATER;
     }
+}
+
+/** Whether the first is less, by the first parts that differ. */
+static inline bool pair_u128_i128_less(const pair_u128_i128_t *one, const pair_u128_i128_t *other)
+{
+    if (!(one->first.high == other->first.high && one->first.low == other->first.low)) {
+        return one->first.high < other->first.high
+            || (one->first.high == other->first.high && one->first.low < other->first.low);
+    }
+    return one->second.high < other->second.high
+        || (one->second.high == other->second.high && one->second.low < other->second.low);
 }
 
 /** The lesser of two; of equal ones the first. */

@@ -5,9 +5,12 @@
 //! over the elements of a part returns at the first that differ. Floats compare as IEEE 754 has it, so that a NaN in a part makes the whole unequal.
 //!
 //! `<` of tuples, arrays and structs that derive it: the first parts that differ decide. A NaN among these makes each comparison
-//! false, as in Rust: it neither comes first nor is it equal. Of enums with payload, options and results the variants decide, and
-//! behind these what they hold. A variant's word is its index; Rust compares and converts the numbers of an enum, which the
-//! author may choose.
+//! false, as in Rust: it neither comes first nor is it equal. Of enums with payload, options and results the variants decide,
+//! and behind these what they hold. A variant's word is its index; Rust compares and converts the numbers of an enum, which the
+//! author may choose. A few words are compared where `<` stands. Any other type has a function for it, whose `return`s decide:
+//! `report_less(&one, &other)`. So no expression grows with what nests in it.
+//!
+//! Invariant: the order of a payload is read only where both values have its variant, and this is tested of both.
 
 use bessemer_ir::tree::Site;
 use bessemer_ir::{
@@ -18,36 +21,18 @@ use bessemer_ir::{
 use super::function::without_marks;
 use super::lengths::size;
 use super::lowering::Lowering;
+use super::pair::{
+    FEW, Pair, fields, free_name, has_loop, is_flat, is_short, is_variant, opposite,
+    ordered_choice, parts, strict,
+};
 use super::value::step_to;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, bounded, problem, refusals, refused};
 
-/// Largest number of elements that are compared one by one, without a loop.
-const FEW: u32 = 4;
-
-/// Largest length of an array that `<` compares; its comparison has no loop.
-const MOST: u32 = 8;
-
-/// Two places of one type that are compared, with the site.
-#[derive(Clone)]
-pub(super) struct Pair {
-    pub sides: [Place; 2],
-    pub site: Site,
-    pub span: Span,
-}
-
-impl Pair {
-    /// Returns the pair of the same part of both places.
-    pub(super) fn parts(&self, part: impl Fn(&Place) -> Place) -> Pair {
-        let [left, right] = &self.sides;
-        Pair { sides: [part(left), part(right)], ..*self }
-    }
-
-    /// Returns the pair of the parts that a step leads to.
-    fn at(&self, step: &Step, ty: &Type) -> Pair {
-        self.parts(|whole| whole.inside(step.clone(), ty.clone()))
-    }
-}
+/// Documentation of the generated functions.
+const LESS_DOCS: &str = "Whether the first is less, by the first parts that differ.";
+const LESS_OR_EQUAL_DOCS: &str =
+    "Whether the first is less or equal, by the first parts that differ.";
 
 impl Lowering<'_, '_> {
     /// Lowers `left == right` of two values of one type.
@@ -58,7 +43,7 @@ impl Lowering<'_, '_> {
             return Ok(equal);
         }
         let own = self.cx.known(&left.ty).own_equality.is_some();
-        match (self.is_variant(&left), self.is_variant(&right)) {
+        match (is_variant(self, &left), is_variant(self, &right)) {
             (false, true) if !own => return self.equal_variant(left, right, site),
             (true, false) if !own => return self.equal_variant(right, left, site),
             _ => {}
@@ -66,21 +51,12 @@ impl Lowering<'_, '_> {
         let sides = [left, right].map(|side| self.hold(side));
         let pair = Pair { span: self.span(site), site, sides };
         match pair.sides[0].ty {
-            Type::Struct(id) if !own && self.is_flat(id) => {
+            Type::Struct(id) if !own && is_flat(self, id) => {
                 self.check_equality(&pair.sides[0].ty, site)?;
                 self.equal_fields(id, &pair)
             }
             _ => self.equal(&pair),
         }
-    }
-
-    /// Returns true for a variant constructed in place, such as `Some(3)`.
-    fn is_variant(&self, value: &Expr) -> bool {
-        let (ExprKind::Struct(parts), Type::Struct(id)) = (&value.kind, &value.ty) else {
-            return false;
-        };
-        let of_literal = parts.first().is_some_and(|tag| matches!(tag.kind, ExprKind::Literal(_)));
-        of_literal && matches!(self.cx.module.structs[id.index()].form, Form::Choice(_))
     }
 
     /// Lowers `value == Some(part)`: compares the payload, and builds no variant.
@@ -112,14 +88,6 @@ impl Lowering<'_, '_> {
         }
         let pair = Pair { sides: [own, self.hold(part)], site, span };
         self.logic_and(there, &mut Vec::new(), |inner, _| inner.equal(&pair))
-    }
-
-    /// Returns true if a struct has only fields of one word, which are compared as words.
-    fn is_flat(&self, id: StructId) -> bool {
-        let rotation = self.cx.known_of(id).unit == Some(true);
-        let fields = self.cx.fields(id);
-        let list = self.cx.module.structs[id.index()].form == Form::Sequence;
-        !rotation && !list && fields.iter().all(|field| field.ty.is_word())
     }
 
     pub(super) fn equal(&mut self, pair: &Pair) -> Result<Expr> {
@@ -157,36 +125,14 @@ impl Lowering<'_, '_> {
 
     /// Returns the function that compares two values of a type, and generates it at the first call.
     fn equality_of(&mut self, id: StructId, site: Site) -> Result<FunctionId> {
-        if let Some(known) = self.cx.known_of(id).equality {
+        if let Some(known) = self.cx.known_of(id).compared.equal {
             return Ok(known);
         }
-        let (name, item) = (name_of_equality(self, id), &self.cx.module.structs[id.index()]);
-        let (module, span, ty) = (item.module.clone(), item.span, Type::Struct(id));
-        let mut inner = Lowering::new(&mut *self.cx, self.source)?;
-        inner.naming = words::ALL_PARTS.into();
-        let sides = words::COMPARED.map(|name| {
-            let local = inner.declare(name, ty.clone(), Mode::Ref, span);
-            Place::local(local, ty.clone(), span)
-        });
-        equality_body(&mut inner, id, &Pair { sides, site, span })?;
-        let (locals, out) = (std::mem::take(&mut inner.locals), std::mem::take(&mut inner.out));
-        self.cx.module.functions.push(Function {
-            name,
-            module,
-            owner: Some(Owner::Struct(id)),
-            role: Role::Inline { public: true },
-            attributes: Attributes::default(),
-            docs: vec!["Whether the two are equal, part by part.".to_owned()],
-            locals: locals.into_all().into_iter().map(without_marks).collect(),
-            params: 2,
-            result: Type::BOOL,
-            result_name: String::new(),
-            body: Block(out),
-            kernel: None,
-            span,
-        });
-        let function = FunctionId(self.cx.module.functions.len() as u32 - 1);
-        self.cx.note(&ty).equality = Some(function);
+        let names = [words::EQUAL, words::SAME_PARTS];
+        let docs = "Whether the two are equal, part by part.";
+        let body = |inner: &mut Lowering<'_, '_>, pair: &Pair| equality_body(inner, id, pair);
+        let function = function_of_two(self, id, site, (names, docs), body)?;
+        self.cx.note(&Type::Struct(id)).compared.equal = Some(function);
         Ok(function)
     }
 
@@ -288,26 +234,37 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<Expr> {
         let mut sides = [left, right].map(|operand| self.hold(operand));
-        if self.cx.known(&sides[0].ty).reversed {
+        let is_reversed = self.cx.known(&sides[0].ty).reversed;
+        if is_reversed {
             sides.reverse();
         }
         let pair = Pair { span: sides[0].span, site, sides };
-        match self.ordered_choice(&pair.sides[0].ty) {
-            Some(id) => self.by_variants(op, id, &pair),
-            None => {
-                let steps = self.steps_to_parts(&pair.sides[0]);
-                let steps = steps.or_refused(site, refusals::ORDER)?;
-                self.by_parts(op, &pair, steps)
+        match pair.sides[0].ty.clone() {
+            Type::Struct(id) if !is_reversed => {
+                match (is_short(self, id), ordered_choice(self, id)) {
+                    (true, true) => self.by_variants(op, id, &pair),
+                    (true, false) => {
+                        let parts = parts(self, &pair)?;
+                        self.by_parts(op, parts, site)
+                    }
+                    _ => call_of_order(self, op, id, &pair),
+                }
+            }
+            Type::Array { element, len } if len > FEW || !element.is_word() => {
+                elements_in_order(self, op, &pair, (&element, len))
+            }
+            _ => {
+                let parts = parts(self, &pair)?;
+                self.by_parts(op, parts, site)
             }
         }
     }
 
     /// Compares part by part; the first unequal parts decide.
-    fn by_parts(&mut self, op: CompareOp, pair: &Pair, steps: Vec<(Step, Type)>) -> Result<Expr> {
-        let site = pair.site;
+    fn by_parts(&mut self, op: CompareOp, parts: Vec<Pair>, site: Site) -> Result<Expr> {
         let mut decided: Option<Expr> = None;
-        for (step, ty) in steps.into_iter().rev() {
-            let [one, other] = pair.at(&step, &ty).sides.map(|part| part.load());
+        for part in parts.into_iter().rev() {
+            let [one, other] = part.sides.map(|side| side.load());
             decided = Some(match decided {
                 None => self.compare_node(op, one, other, site)?,
                 Some(rest) => {
@@ -320,33 +277,14 @@ impl Lowering<'_, '_> {
         decided.or_refused(site, refusals::EMPTY_ORDER)
     }
 
-    /// Returns the struct of an ordered enum with payload, an `Option` or a `Result`.
-    fn ordered_choice(&self, ty: &Type) -> Option<StructId> {
-        let Type::Struct(id) = *ty else { return None };
-        let known = self.cx.known(ty);
-        let is_ordered = known.ordered || known.shown.is_some();
-        (is_ordered && !known.cases.is_empty()).then_some(id)
-    }
-
-    /// Compares the variants, then the payloads of equal variants.
+    /// Compares the variants, then the words of equal variants.
     fn by_variants(&mut self, op: CompareOp, id: StructId, pair: &Pair) -> Result<Expr> {
-        let span = pair.span;
-        let [one, other] = pair.parts(|whole| self.part(whole, id, 0)).sides.map(|tag| tag.load());
-        let same = Expr::compare(CompareOp::Eq, one.clone(), other.clone()).at(span);
-        let tags = [one, other].map(|tag| match tag.ty {
-            Type::Enum(of) => self.number(of, tag),
-            _ => tag,
-        });
-        // An `Ok` comes before an `Err`, though its word is the larger.
-        let [one, other] = match (self.cx.known_of(id).error.is_some(), tags) {
-            (true, [one, other]) => [other, one],
-            (false, tags) => tags,
-        };
-        let first = Expr::compare(strict(op), one, other).at(span);
-        // A payload is read where both have its variant, also by what an operand of `&&` computes before.
-        let held =
-            self.logic_and(same, &mut Vec::new(), |inner, _| payloads(inner, op, id, pair))?;
-        Ok(Expr::logic(LogicOp::Or, first, held))
+        let tags = pair.parts(|whole| self.part(whole, id, 0)).sides.map(|tag| tag.load());
+        let [one, other] = tags;
+        let same = Expr::compare(CompareOp::Eq, one, other).at(pair.span);
+        let first = order_of_tags(self, strict(op), id, pair);
+        let held = words_of_variants(self, op, id, pair)?;
+        Ok(Expr::logic(LogicOp::Or, first, Expr::logic(LogicOp::And, same, held)))
     }
 
     /// Returns the number of an enum's value that `<` compares.
@@ -372,65 +310,6 @@ impl Lowering<'_, '_> {
             false => value,
         }
     }
-
-    /// Returns the step to each field, and its type.
-    fn steps_to_fields(&self, id: StructId) -> Vec<(Step, Type)> {
-        let fields = self.cx.fields(id).iter();
-        (0..).zip(fields).map(|(at, it)| (Step::Field(at), it.ty.clone())).collect()
-    }
-
-    /// Returns the step to each part, and its type; none if the type has no order by parts.
-    fn steps_to_parts(&self, place: &Place) -> Option<Vec<(Step, Type)>> {
-        let known = self.cx.known(&place.ty);
-        let is_tuple = known.shown.is_some() && known.cases.is_empty();
-        match &place.ty {
-            Type::Struct(id) if is_tuple || known.ordered || known.reversed => {
-                Some(self.steps_to_fields(*id))
-            }
-            Type::Array { element, len } if *len <= MOST => {
-                let step = |at: u32| Step::Index(Expr::usize(u64::from(at), place.span));
-                Some((0..*len).map(|at| (step(at), (**element).clone())).collect())
-            }
-            _ => None,
-        }
-    }
-}
-
-/// Compares the payloads of two values of one variant.
-fn payloads(
-    lower: &mut Lowering<'_, '_>,
-    op: CompareOp,
-    id: StructId,
-    pair: &Pair,
-) -> Result<Expr> {
-    let span = pair.span;
-    let mut held: Option<Expr> = None;
-    for (word, case) in (0..).zip(lower.cx.known_of(id).cases.clone()) {
-        let Some(field) = case.field else { continue };
-        let there = lower.tag_is(&pair.sides[0], id, word);
-        let part = pair.parts(|whole| lower.part(whole, id, field as usize));
-        let ordered = |inner: &mut Lowering<'_, '_>| match (case.single, &part.sides[0].ty) {
-            (false, Type::Struct(parts)) => {
-                let steps = inner.steps_to_fields(*parts);
-                inner.by_parts(op, &part, steps)
-            }
-            _ => {
-                let [one, other] = part.sides.clone().map(|side| side.load());
-                inner.compare_node(op, one, other, part.site)
-            }
-        };
-        let of_case = if op == strict(op) {
-            lower.logic_and(there, &mut Vec::new(), |inner, _| ordered(inner))?
-        } else {
-            lower.short_circuit(LogicOp::Or, there.negated(), span, ordered)?
-        };
-        held = Some(match held {
-            None => of_case,
-            Some(held) if op == strict(op) => Expr::logic(LogicOp::Or, held, of_case),
-            Some(held) => Expr::logic(LogicOp::And, held, of_case),
-        });
-    }
-    Ok(held.unwrap_or_else(|| Expr::bool(op != strict(op), span)))
 }
 
 /// Emits the body of a function that compares two values.
@@ -446,16 +325,6 @@ fn equality_body(lower: &mut Lowering<'_, '_>, id: StructId, pair: &Pair) -> Res
     };
     lower.emit(StmtKind::Return(Some(same)), pair.span);
     Ok(())
-}
-
-/// Returns true if a comparison of two values of a type loops over their elements.
-fn has_loop(lower: &Lowering<'_, '_>, ty: &Type) -> bool {
-    match ty {
-        _ if lower.cx.known(ty).own_equality.is_some() => false,
-        Type::Array { element, len } => *len > FEW || !element.is_word(),
-        Type::Matrix { rows, cols, .. } => rows * cols > FEW || (*rows > 1 && *cols > 1),
-        _ => false,
-    }
 }
 
 /// Emits a return of false if two values differ.
@@ -498,34 +367,230 @@ fn return_unless(lower: &mut Lowering<'_, '_>, same: Expr, span: Span) {
     lower.emit_if(opposite(same), Block(vec![Stmt::new(unequal, span)]), span);
 }
 
-/// Returns the name `equal`, or another one if the author has a function whose C name would be the same.
-fn name_of_equality(lower: &Lowering<'_, '_>, id: StructId) -> String {
-    let (cx, ty) = (&lower.cx, Type::Struct(id));
-    let paths = cx.types.by_path.iter().filter(|(_, it)| **it == ty);
-    let mut homes: Vec<String> = paths.map(|(path, _)| format!("{path}::equal")).collect();
-    let own = super::names::snake(cx.name_of(&ty).unwrap_or_default());
-    homes.push(format!("::{own}::equal"));
-    let taken = |known: &String| homes.iter().any(|home| known.ends_with(home));
-    let name = if cx.authored.iter().any(taken) { words::SAME_PARTS } else { words::EQUAL };
-    name.to_owned()
+/// Generates an inline function that compares two values of a type. It has the second name if the author has a function of
+/// the first.
+fn function_of_two(
+    lower: &mut Lowering<'_, '_>,
+    id: StructId,
+    site: Site,
+    (names, docs): ([&str; 2], &str),
+    body: impl FnOnce(&mut Lowering<'_, '_>, &Pair) -> Result<()>,
+) -> Result<FunctionId> {
+    let (name, item) = (free_name(lower, id, names), &lower.cx.module.structs[id.index()]);
+    let (module, span, ty) = (item.module.clone(), item.span, Type::Struct(id));
+    let mut inner = Lowering::new(&mut *lower.cx, lower.source)?;
+    inner.naming = words::ALL_PARTS.into();
+    let sides = words::COMPARED.map(|name| {
+        let local = inner.declare(name, ty.clone(), Mode::Ref, span);
+        Place::local(local, ty.clone(), span)
+    });
+    body(&mut inner, &Pair { sides, site, span })?;
+    let (locals, out) = (std::mem::take(&mut inner.locals), std::mem::take(&mut inner.out));
+    lower.cx.module.functions.push(Function {
+        name,
+        module,
+        owner: Some(Owner::Struct(id)),
+        role: Role::Inline { public: true },
+        attributes: Attributes::default(),
+        docs: vec![docs.to_owned()],
+        locals: locals.into_all().into_iter().map(without_marks).collect(),
+        params: 2,
+        result: Type::BOOL,
+        result_name: String::new(),
+        body: Block(out),
+        kernel: None,
+        span,
+    });
+    Ok(FunctionId(lower.cx.module.functions.len() as u32 - 1))
 }
 
-/// Returns the comparison without equality: `<` for `<=`.
-fn strict(op: CompareOp) -> CompareOp {
-    match op {
-        CompareOp::Le => CompareOp::Lt,
-        CompareOp::Ge => CompareOp::Gt,
-        op => op,
-    }
-}
-
-/// Negates a comparison of equality, also of floats.
-fn opposite(same: Expr) -> Expr {
-    let span = same.span;
-    match same.kind {
-        ExprKind::Compare(CompareOp::Eq, one, other) => {
-            Expr::compare(CompareOp::Ne, *one, *other).at(span)
+/// Returns the order of the variants of two values. An `Ok` comes before an `Err`, though its word is the larger.
+fn order_of_tags(lower: &Lowering<'_, '_>, op: CompareOp, id: StructId, pair: &Pair) -> Expr {
+    let mut tags = pair.parts(|whole| lower.part(whole, id, 0)).sides.map(|tag| {
+        let tag = tag.load();
+        match tag.ty {
+            Type::Enum(of) => lower.number(of, tag),
+            _ => tag,
         }
-        _ => same.negated(),
+    });
+    if lower.cx.known_of(id).error.is_some() {
+        tags.reverse();
     }
+    let [one, other] = tags;
+    Expr::compare(op, one, other).at(pair.span)
+}
+
+/// Compares the words of two values that have the same variant.
+fn words_of_variants(
+    lower: &mut Lowering<'_, '_>,
+    op: CompareOp,
+    id: StructId,
+    pair: &Pair,
+) -> Result<Expr> {
+    let mut held: Option<Expr> = None;
+    for (word, case) in (0..).zip(lower.cx.known_of(id).cases.clone()) {
+        let Some(field) = case.field else { continue };
+        let there = lower.tag_is(&pair.sides[0], id, word);
+        let part = pair.parts(|whole| lower.part(whole, id, field as usize));
+        let [one, other] = part.sides.map(|side| side.load());
+        let ordered = lower.compare_node(op, one, other, part.site)?;
+        held = Some(match (held, op == strict(op)) {
+            (None, true) => Expr::logic(LogicOp::And, there, ordered),
+            (None, false) => Expr::logic(LogicOp::Or, there.negated(), ordered),
+            (Some(held), true) => {
+                Expr::logic(LogicOp::Or, held, Expr::logic(LogicOp::And, there, ordered))
+            }
+            (Some(held), false) => {
+                Expr::logic(LogicOp::And, held, Expr::logic(LogicOp::Or, there.negated(), ordered))
+            }
+        });
+    }
+    Ok(held.unwrap_or_else(|| Expr::bool(op != strict(op), pair.span)))
+}
+
+/// Calls the function that compares two values of a type. `>` is `<` of the operands in turned order.
+fn call_of_order(
+    lower: &mut Lowering<'_, '_>,
+    op: CompareOp,
+    id: StructId,
+    pair: &Pair,
+) -> Result<Expr> {
+    let mut sides = pair.sides.clone();
+    let op = match op {
+        CompareOp::Gt | CompareOp::Ge => {
+            sides.reverse();
+            if op == CompareOp::Gt { CompareOp::Lt } else { CompareOp::Le }
+        }
+        op => op,
+    };
+    let function = order_of(lower, op, id, pair.site)?;
+    let kind = ExprKind::Call(function, sides.map(|side| Argument::Ref(side.load())).into());
+    Ok(Expr { kind, ty: Type::BOOL, span: pair.span })
+}
+
+/// Returns the function for `<` or `<=` of a type, and generates it at the first call.
+fn order_of(
+    lower: &mut Lowering<'_, '_>,
+    op: CompareOp,
+    id: StructId,
+    site: Site,
+) -> Result<FunctionId> {
+    let known = &lower.cx.known_of(id).compared;
+    let (known, names, docs) = match op {
+        CompareOp::Le => (known.less_or_equal, words::LESS_OR_EQUAL, LESS_OR_EQUAL_DOCS),
+        _ => (known.less, words::LESS, LESS_DOCS),
+    };
+    if let Some(known) = known {
+        return Ok(known);
+    }
+    let body = |inner: &mut Lowering<'_, '_>, pair: &Pair| match ordered_choice(inner, id) {
+        true => return_order_of_variants(inner, op, id, pair),
+        false => {
+            let parts = parts(inner, pair)?;
+            return_order(inner, op, parts, pair)
+        }
+    };
+    let function = function_of_two(lower, id, site, (names, docs), body)?;
+    let known = &mut lower.cx.note(&Type::Struct(id)).compared;
+    match op {
+        CompareOp::Le => known.less_or_equal = Some(function),
+        _ => known.less = Some(function),
+    }
+    Ok(function)
+}
+
+/// Emits returns of the order of two payloads of one variant, and of the order of other variants.
+fn return_order_of_variants(
+    lower: &mut Lowering<'_, '_>,
+    op: CompareOp,
+    id: StructId,
+    pair: &Pair,
+) -> Result<()> {
+    for (word, case) in (0..).zip(lower.cx.known_of(id).cases.clone()) {
+        let Some(field) = case.field else { continue };
+        let [one, other] = [0, 1].map(|side| lower.tag_is(&pair.sides[side], id, word));
+        let part = pair.parts(|whole| lower.part(whole, id, field as usize));
+        let parts = match (case.single, &part.sides[0].ty) {
+            (false, Type::Struct(inner)) => fields(lower, *inner, &part),
+            _ => vec![part.clone()],
+        };
+        let ((), then) = lower.in_block(|inner| return_order(inner, op, parts, &part))?;
+        lower.emit_if(Expr::logic(LogicOp::And, one, other), Block(then), pair.span);
+    }
+    let tags = order_of_tags(lower, op, id, pair);
+    lower.emit(StmtKind::Return(Some(tags)), pair.span);
+    Ok(())
+}
+
+/// Emits the return of the order of some parts.
+fn return_order(
+    lower: &mut Lowering<'_, '_>,
+    op: CompareOp,
+    mut parts: Vec<Pair>,
+    pair: &Pair,
+) -> Result<()> {
+    let last = parts.pop().or_refused(pair.site, refusals::EMPTY_ORDER)?;
+    for part in &parts {
+        return_order_if_unequal(lower, op, part)?;
+    }
+    let whole = match last.sides[0].ty {
+        Type::Array { .. } => {
+            return_order_if_unequal(lower, op, &last)?;
+            Expr::bool(op != strict(op), pair.span)
+        }
+        _ => {
+            let [one, other] = last.sides.map(|side| side.load());
+            lower.compare_node(op, one, other, pair.site)?
+        }
+    };
+    lower.emit(StmtKind::Return(Some(whole)), pair.span);
+    Ok(())
+}
+
+/// Emits a return of the order of two parts if they differ.
+fn return_order_if_unequal(lower: &mut Lowering<'_, '_>, op: CompareOp, part: &Pair) -> Result<()> {
+    let span = part.span;
+    if let Type::Array { element, len } = &part.sides[0].ty {
+        return lower.below("i", size(*len, span), span, |inner, index| {
+            let step = step_to(&part.sides[0].ty, index, span);
+            return_order_if_unequal(inner, op, &part.at(&step, element))
+        });
+    }
+    let [one, other] = part.sides.clone().map(|side| side.load());
+    let first = |inner: &mut Lowering<'_, '_>| {
+        let first = inner.compare_node(strict(op), one.clone(), other.clone(), part.site)?;
+        inner.emit(StmtKind::Return(Some(first)), span);
+        Ok(())
+    };
+    let ((), then) = lower.in_block(first)?;
+    let same = lower.compare_node(CompareOp::Eq, one, other, part.site)?;
+    lower.emit_if(opposite(same), Block(then), span);
+    Ok(())
+}
+
+/// Emits a loop over the elements of two arrays that ends at the first unequal ones, which decide.
+fn elements_in_order(
+    lower: &mut Lowering<'_, '_>,
+    op: CompareOp,
+    pair: &Pair,
+    (element, len): (&Type, u32),
+) -> Result<Expr> {
+    let span = pair.span;
+    let flag = lower.assigned(words::IN_ORDER, Expr::bool(op != strict(op), span));
+    let held = flag.load();
+    lower.below("i", size(len, span), span, |inner, index| {
+        let at = pair.at(&step_to(&pair.sides[0].ty, index, span), element);
+        let [one, other] = at.sides.map(|side| side.load());
+        let decide = |inner: &mut Lowering<'_, '_>| {
+            let first = inner.compare_node(strict(op), one.clone(), other.clone(), pair.site)?;
+            inner.emit(StmtKind::Assign { place: flag, value: first }, span);
+            inner.emit(StmtKind::Break, span);
+            Ok(())
+        };
+        let ((), then) = inner.in_block(decide)?;
+        let same = inner.compare_node(CompareOp::Eq, one, other, pair.site)?;
+        inner.emit_if(opposite(same), Block(then), span);
+        Ok(())
+    })?;
+    Ok(held)
 }

@@ -98,6 +98,17 @@ impl<'a> Names<'a> {
     }
 }
 
+/// Generated functions that compare two values of a type.
+#[derive(Default)]
+pub(super) struct Compared {
+    /// `==`.
+    pub(super) equal: Option<FunctionId>,
+    /// `<`.
+    pub(super) less: Option<FunctionId>,
+    /// `<=`.
+    pub(super) less_or_equal: Option<FunctionId>,
+}
+
 /// Facts about a type besides its definition.
 #[derive(Default)]
 pub(super) struct Known<'a> {
@@ -113,8 +124,8 @@ pub(super) struct Known<'a> {
     pub(super) fields: Vec<(String, Option<usize>)>,
     /// rustc's types of the fields of a struct, or of an enum with payload.
     pub(super) rustc: Vec<tree::Ty>,
-    /// Generated function that compares two values part by part.
-    pub(super) equality: Option<FunctionId>,
+    /// Generated functions that compare two values part by part.
+    pub(super) compared: Compared,
     /// Path of the author's function for `==`.
     pub(super) own_equality: Option<&'a str>,
     /// True if the type does not derive `PartialEq`.

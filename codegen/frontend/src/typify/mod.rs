@@ -56,6 +56,7 @@ mod numbers;
 mod option;
 mod option_places;
 mod order;
+mod pair;
 mod pattern;
 mod place;
 mod place_functions;

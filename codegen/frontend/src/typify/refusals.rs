@@ -30,7 +30,7 @@ reasons! {
     SLICE_IN_CLOSURE: "a closure that is passed to a function cannot capture a slice", "read the elements before: `let first = values[0];`";
     CLOSURE_HANDED_ON: "a closure parameter cannot be called inside another closure here", "call it before, and capture its result";
     SLICES_COMPARED: "`==` does not compare slices inside other values", "compare the slices themselves: `a.bytes == b.bytes`";
-    ORDER: "this type has no order by its parts: only types that derive `PartialOrd` below `#[data]`, tuples and arrays of up to 8 elements do", "for an order of its own write a method, `fn is_before(&self, other: &Self) -> bool`, and call it here; for the order by parts write `#[derive(PartialOrd)]` below `#[data]` in place of an `impl PartialOrd`";
+    ORDER: "this type has no order by its parts: only types that derive `PartialOrd` below `#[data]`, tuples and arrays do", "for an order of its own write a method, `fn is_before(&self, other: &Self) -> bool`, and call it here; for the order by parts write `#[derive(PartialOrd)]` below `#[data]` in place of an `impl PartialOrd`";
     EMPTY_ORDER: "zero-sized values have no order to compare", "remove the comparison";
     TRIED: "`?` requires an `Option` or a `Result`", "`match` on the value";
     MOVED_REFERENCE: "a reference variable cannot be assigned another reference", "write to the referenced place, `*name = …`; or choose between two places by an index or an `if`";

@@ -9,10 +9,10 @@ use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Fault, LocalId, LogicOp, Mode, Place, Span, StmtKind, Type,
 };
 
-use super::comparison::Pair;
 use super::expr::Call;
 use super::lengths::{compared, divided, is_number, lesser, minus, plus, same, size};
 use super::lowering::Lowering;
+use super::pair::Pair;
 use super::refusals::Reason;
 use super::slots::{result_of, slice_of};
 use super::syntax::{bare, control_with_value};

@@ -4,9 +4,9 @@
 use bessemer_ir::tree::{self, Parts, Site, SpatialMethod};
 use bessemer_ir::{CompareOp, Expr, ExprKind, LogicOp, Routine, StructId, Type, UnaryOp};
 
-use super::comparison::Pair;
 use super::expr::{Call, two};
 use super::lowering::Lowering;
+use super::pair::Pair;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused, struct_of};
 

@@ -23,6 +23,9 @@ pub(super) const ENDS_OF_ONE: [&str; 2] = ["index", "length"];
 /// Names of a function that compares part by part, and of its parameters.
 pub(super) const EQUAL: &str = "equal";
 pub(super) const SAME_PARTS: &str = "same_parts";
+pub(super) const LESS: [&str; 2] = ["less", "comes_first"];
+pub(super) const LESS_OR_EQUAL: [&str; 2] = ["less_or_equal", "comes_first_or_equals"];
+pub(super) const IN_ORDER: &str = "in_order";
 pub(super) const ALL_PARTS: &str = "all";
 pub(super) const COMPARED: [&str; 2] = ["one", "other"];
 

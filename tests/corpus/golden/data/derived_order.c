@@ -75,17 +75,7 @@ static void derived_order_sort_by_in_sorted(derived_order_key_t values[], uint64
         for (uint64_t at = i; at-- > UINT64_C(0);) {
             const derived_order_key_t one = values[at];
             const derived_order_key_t *const next = &values[at + UINT64_C(1)];
-            if (!(next->source < one.source
-                    || (next->source == one.source
-                    && (next->version.major < one.version.major
-                    || (next->version.major == one.version.major
-                    && (next->version.minor < one.version.minor
-                    || (next->version.minor == one.version.minor && next->version.patch < one.version.patch)))
-                    || (next->version.major == one.version.major
-                    && next->version.minor == one.version.minor
-                    && next->version.patch == one.version.patch
-                    && (next->numbers[0] < one.numbers[0]
-                    || (next->numbers[0] == one.numbers[0] && next->numbers[1] < one.numbers[1]))))))) {
+            if (!derived_order_key_less(next, &one)) {
                 break;
             }
             values[at] = *next;
@@ -99,17 +89,7 @@ void derived_order_place_of(const derived_order_key_t keys[4], const derived_ord
 {
     *result = (option_usize_t){.is_some = false};
     for (uint32_t i = 4U; i-- > 0U;) {
-        if (keys[i].source < limit->source
-                || (keys[i].source == limit->source
-                && (keys[i].version.major < limit->version.major
-                || (keys[i].version.major == limit->version.major
-                && (keys[i].version.minor < limit->version.minor
-                || (keys[i].version.minor == limit->version.minor && keys[i].version.patch < limit->version.patch)))
-                || (keys[i].version.major == limit->version.major
-                && keys[i].version.minor == limit->version.minor
-                && keys[i].version.patch == limit->version.patch
-                && (keys[i].numbers[0] < limit->numbers[0]
-                || (keys[i].numbers[0] == limit->numbers[0] && keys[i].numbers[1] <= limit->numbers[1])))))) {
+        if (derived_order_key_less_or_equal(&keys[i], limit)) {
             result->is_some = true;
             result->value = i;
             break;

@@ -17,14 +17,8 @@ bessemer_status_t slice_edits_consume(uint8_t buffer[8], uint64_t read)
     if (read > UINT64_C(8)) {
         return BESSEMER_STATUS_INDEX;
     }
-    if (true) {
-        for (uint64_t i = read; i < UINT64_C(8); i++) {
-            buffer[i - read] = buffer[i];
-        }
-    } else {
-        for (uint64_t i = UINT64_C(8); i-- > read;) {
-            buffer[i - read] = buffer[i];
-        }
+    for (uint64_t i = read; i < UINT64_C(8); i++) {
+        buffer[i - read] = buffer[i];
     }
     return BESSEMER_STATUS_OK;
 }

@@ -23,13 +23,11 @@ static void turned_orders_sort_by_in_planned(turned_orders_job_t values[], uint6
                 .first = {.value = next.urgency},
                 .second = next.due
             };
-            const pair_reverse_u8_i16_t value_choice_2 = {
+            const pair_reverse_u8_i16_t other = {
                 .first = {.value = one.urgency},
                 .second = one.due
             };
-            if (!(value_choice_2.first.value < value_choice.first.value
-                    || (value_choice.first.value == value_choice_2.first.value
-                    && value_choice.second < value_choice_2.second))) {
+            if (!pair_reverse_u8_i16_less(&value_choice, &other)) {
                 break;
             }
             values[at] = next;
@@ -58,9 +56,7 @@ static void turned_orders_sort_by_in_put_off(turned_orders_job_t values[], uint6
             const reverse_pair_reverse_u8_i16_t value_choice_2 = {
                 .value = {.first = {.value = one.urgency}, .second = one.due}
             };
-            if (!(value_choice.value.first.value < value_choice_2.value.first.value
-                    || (value_choice_2.value.first.value == value_choice.value.first.value
-                    && value_choice_2.value.second < value_choice.value.second))) {
+            if (!pair_reverse_u8_i16_less(&value_choice_2.value, &value_choice.value)) {
                 break;
             }
             values[at] = next;
@@ -80,9 +76,7 @@ void turned_orders_ends(const turned_orders_job_t jobs[5],
             .second = {.value = jobs[i].due}
         };
         if (least.is_some) {
-            if (key.first < least.value.first
-                    || (key.first == least.value.first
-                    && least.value.second.value < key.second.value)) {
+            if (pair_u8_reverse_i16_less(&key, &least.value)) {
                 least.is_some = true;
                 least.value = key;
                 result->first.is_some = true;

@@ -39,6 +39,7 @@ use super::choices::Enumerators;
 use super::context::{Context, Uses};
 use super::helpers::Helper;
 use super::layout::{Enums, size_of};
+use super::mentions;
 use super::names::local_name;
 use super::signature::{Returned, Signature};
 use super::spelling::unique;
@@ -158,6 +159,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
     lower.prologue();
     lower.block_into(&function.body, true);
     lower.epilogue();
+    lower.declare_status();
     lower.quiet();
     let wide = lower.wide();
     Lowered { body: lower.out, locals: lower.bytes, wide }
@@ -181,11 +183,6 @@ impl<'a> Lower<'a> {
         let function = self.function;
         if self.calls_fallible() {
             self.status = self.fresh("status");
-            let ty = self.context.names.status.ty.clone();
-            self.emit(StmtKind::Declare(
-                Declarator { ty, name: self.status.clone(), dimensions: String::new() },
-                None,
-            ));
         }
         self.check_latch();
         self.check_variants();
@@ -268,6 +265,15 @@ impl<'a> Lower<'a> {
         if self.function.result == Type::Unit && self.is_fallible() && !returns {
             self.origin = None;
             self.emit_ok();
+        }
+    }
+
+    /// Declares the status of calls, unless all of them are in branches that a constant leaves out.
+    fn declare_status(&mut self) {
+        if !self.status.is_empty() && mentions::names(&self.out, &self.status) {
+            let (ty, name) = (self.context.names.status.ty.clone(), self.status.clone());
+            let declarator = Declarator { ty, name, dimensions: String::new() };
+            self.out.insert(0, plain(StmtKind::Declare(declarator, None)));
         }
     }
 

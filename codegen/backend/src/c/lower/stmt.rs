@@ -10,6 +10,7 @@ use super::super::literal::{self, Readers};
 use super::super::tree::{Expr, Init, Stmt, StmtKind, SwitchArm, plain};
 use super::Lower;
 use super::fill::{filled, length, rewritten, spared, unwritten};
+use super::word::truth_of;
 use crate::passes::reached;
 use crate::uncopied::is_table;
 use bessemer_ir::effects::{calls, whole};
@@ -66,6 +67,14 @@ impl Lower<'_> {
         }
     }
 
+    /// Appends the statements of a block, whose declarations stay in it.
+    fn emit_block(&mut self, body: Vec<Stmt>) {
+        match body.iter().any(|stmt| matches!(stmt.kind, StmtKind::Declare(..))) {
+            true => self.emit(StmtKind::Block(body)),
+            false => self.out.extend(body),
+        }
+    }
+
     fn stmt(&mut self, stmt: &IrStmt, tail: bool) {
         match &stmt.kind {
             IrKind::Let { local, value } => self.let_(*local, value.as_ref()),
@@ -73,6 +82,10 @@ impl Lower<'_> {
             IrKind::Expr(value) => self.effect(value),
             IrKind::If { condition, then, otherwise } => {
                 let condition = self.word(condition);
+                if let Some(truth) = truth_of(&condition) {
+                    let taken = self.block(if truth { then } else { otherwise }, tail);
+                    return self.emit_block(taken);
+                }
                 let origin = self.origin;
                 let then = self.block(then, tail);
                 let otherwise = self.block(otherwise, tail);

@@ -294,7 +294,7 @@ fn of_bool(operand: &Ir) -> Option<&Ir> {
 }
 
 /// Returns the truth of a condition that is a constant.
-fn truth_of(condition: &Expr) -> Option<bool> {
+pub(super) fn truth_of(condition: &Expr) -> Option<bool> {
     match condition {
         Expr::Name(name) if name == "true" => Some(true),
         Expr::Name(name) if name == "false" => Some(false),
