@@ -111,10 +111,25 @@ pub fn scalar_type(scalar: Scalar) -> &'static str {
 
 /// Returns the first free name of `name`, `name_2`, `name_3`, ….
 pub fn unique(name: &str, taken: impl Fn(&str) -> bool) -> String {
+    unique_from(name, FIRST_NUMBER, taken).0
+}
+
+/// Number of the second variable of a name.
+pub const FIRST_NUMBER: u32 = 2;
+
+/// Returns the first free name, and its number if it has one; those with a lower number than `first` are taken.
+pub fn unique_from(name: &str, first: u32, taken: impl Fn(&str) -> bool) -> (String, Option<u32>) {
     if !taken(name) {
-        return name.to_owned();
+        return (name.to_owned(), None);
     }
     let gap = if name.ends_with('_') { "" } else { "_" };
-    let candidates = (2..).map(|number| format!("{name}{gap}{number}"));
-    candidates.into_iter().find(|candidate| !taken(candidate)).expect("numbers do not end")
+    let candidates = (first..).map(|number| (format!("{name}{gap}{number}"), Some(number)));
+    candidates.into_iter().find(|(candidate, _)| !taken(candidate)).expect("numbers do not end")
+}
+
+/// Returns the name and the number of a numbered name.
+pub fn numbered(name: &str) -> Option<(&str, u32)> {
+    let stem = name.trim_end_matches(|last: char| last.is_ascii_digit());
+    let number = name[stem.len()..].parse().ok()?;
+    Some((stem.strip_suffix('_').unwrap_or(stem), number))
 }

@@ -27,7 +27,7 @@ mod variants;
 mod widths;
 mod word;
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
@@ -42,7 +42,7 @@ use super::layout::{Enums, size_of};
 use super::mentions;
 use super::names::local_name;
 use super::signature::{Returned, Signature};
-use super::spelling::unique;
+use super::spelling::{FIRST_NUMBER, numbered, unique_from};
 use super::tree::{
     Declarator, Expr, Init, Lines, Origin, Stmt, StmtKind, Storage, compound, plain,
 };
@@ -95,6 +95,8 @@ pub(super) struct Lower<'a> {
     live: Vec<String>,
     /// The visible names as a set.
     taken: HashSet<String>,
+    /// The number from which each name is looked for: all below are taken.
+    free: HashMap<String, u32>,
     out: Vec<Stmt>,
     origin: Option<Origin>,
     uses: &'a mut Uses,
@@ -136,6 +138,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
         mentioned: vec![false; function.locals.len()],
         live: Vec::new(),
         taken: HashSet::new(),
+        free: HashMap::new(),
         out: Vec::new(),
         origin: None,
         uses,
@@ -343,6 +346,11 @@ impl<'a> Lower<'a> {
     fn leave(&mut self, names: usize) {
         for name in self.live.drain(names..) {
             self.taken.remove(&name);
+            if let Some((stem, number)) = numbered(&name)
+                && let Some(free) = self.free.get_mut(stem)
+            {
+                *free = number.min(*free);
+            }
         }
     }
 
@@ -358,7 +366,11 @@ impl<'a> Lower<'a> {
             Some(param) if param.name == wanted => format!("{wanted}_value"),
             _ => wanted,
         };
-        let name = unique(&wanted, taken);
+        let first = self.free.get(&wanted).copied().unwrap_or(FIRST_NUMBER);
+        let (name, number) = unique_from(&wanted, first, taken);
+        if let Some(number) = number {
+            self.free.insert(wanted, number + 1);
+        }
         self.live.push(name.clone());
         self.taken.insert(name.clone());
         name

@@ -5,6 +5,7 @@
 
 use bessemer_ir::ExprKind;
 
+use super::domain::Interval;
 use super::known::Known;
 use super::loops::Loop;
 use super::state::State;
@@ -41,33 +42,27 @@ impl Loop<'_> {
     }
 }
 
-impl State<'_> {
+impl<'m> State<'m> {
     /// Drops each bound and each relation that `next` does not preserve; returns true if there was none.
-    fn widen(&mut self, next: &State) -> bool {
+    fn widen(&mut self, next: &State<'m>) -> bool {
         let (words, relations) = (self.known.len(), self.relations.len());
         let mut kept = true;
-        self.known.retain(|key, known| match (&mut *known, next.known.get(key)) {
-            (Known::Within(mine), Some(Known::Within(other))) => {
+        self.change(next, |mine, other| match (mine, other?) {
+            (Known::Within(mine), Known::Within(other)) => {
                 let (low, high) = (other.low >= mine.low, other.high <= mine.high);
                 kept &= low && high;
-                mine.low = if low { mine.low } else { i128::MIN };
-                mine.high = if high { mine.high } else { i128::MAX };
-                low || high
+                let wider = Interval {
+                    low: if low { mine.low } else { i128::MIN },
+                    high: if high { mine.high } else { i128::MAX },
+                };
+                (low || high).then_some(Known::Within(wider))
             }
-            (mine, Some(other)) => match (mine.bounds(), other.bounds()) {
-                _ if *mine == *other => true,
-                (Some(before), Some(after)) => {
-                    let wider = before.widened(after);
-                    kept &= wider == before;
-                    match Known::between(wider) {
-                        Some(wider) => *mine = wider,
-                        None => return false,
-                    }
-                    true
-                }
-                _ => false,
-            },
-            _ => false,
+            (mine, other) => {
+                let (before, after) = (mine.bounds()?, other.bounds()?);
+                let wider = before.widened(after);
+                kept &= wider == before;
+                Known::between(wider)
+            }
         });
         self.relations.join(&next.relations);
         kept && self.known.len() == words && self.relations.len() == relations

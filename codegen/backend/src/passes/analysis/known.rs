@@ -9,7 +9,7 @@ use super::domain::Interval;
 pub(super) const BROUGHT: u32 = u32::MAX;
 
 /// Fact about the word at a place.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) enum Known {
     /// The word is in the interval.
     Within(Interval),
@@ -17,6 +17,18 @@ pub(crate) enum Known {
     Float(f64),
     /// The word is a float between these bounds.
     Between(Bounds),
+}
+
+impl PartialEq for Known {
+    /// Returns true if two facts say the same: of two zeros they do not.
+    fn eq(&self, other: &Known) -> bool {
+        match (self, other) {
+            (Known::Within(a), Known::Within(b)) => a == b,
+            (Known::Float(a), Known::Float(b)) => a.to_bits() == b.to_bits(),
+            (Known::Between(a), Known::Between(b)) => a == b,
+            _ => false,
+        }
+    }
 }
 
 impl Known {
@@ -33,7 +45,7 @@ impl Known {
     pub(super) fn or(self, other: Known) -> Option<Known> {
         match (self, other) {
             (Known::Within(a), Known::Within(b)) => Some(Known::Within(a.join(b))),
-            (Known::Float(a), Known::Float(b)) if a.to_bits() == b.to_bits() => Some(self),
+            (Known::Float(_), Known::Float(_)) if self == other => Some(self),
             _ => Known::between(self.bounds()?.join(other.bounds()?)),
         }
     }

@@ -10,6 +10,7 @@ use bessemer_ir::visit::Walk as _;
 use bessemer_ir::{Block, CompareOp, Expr, ExprKind, LocalId, Place, StmtKind};
 
 use super::loops::Loop;
+use super::relations::is_whole;
 use super::state::{State, key};
 use super::walk::passed;
 use crate::passes::places::erased;
@@ -53,7 +54,7 @@ impl<'m> State<'m> {
     /// Returns true if an order holds after its local gets a value.
     fn then(&self, order: &Expr, local: LocalId, value: &Expr) -> bool {
         let ExprKind::Compare(op, a, b) = &order.kind else { return false };
-        let (a, b) = match (is_local(a, local), is_local(b, local)) {
+        let (a, b) = match (is_whole(a, local), is_whole(b, local)) {
             (true, false) if !mentions(&**b, local) => (value, &**b),
             (false, true) if !mentions(&**a, local) => (&**a, value),
             _ => return false,
@@ -87,7 +88,7 @@ impl<'m> State<'m> {
             let own = |stmt: &bessemer_ir::Stmt| matches!(stmt.kind, StmtKind::Let { local, .. } if local == place.root);
             if place.steps.is_empty()
                 && place.ty.as_int().is_some()
-                && !locals.iter().any(|it| is_local(it, place.root))
+                && !locals.iter().any(|it| is_whole(it, place.root))
                 && !body.any_stmt(own)
             {
                 locals.push(local);
@@ -105,8 +106,8 @@ impl<'m> State<'m> {
                 orders.extend(both.into_iter().filter(|order| self.proves(order)));
             }
             let beside = |order: &Expr| match &order.kind {
-                ExprKind::Compare(_, x, y) if is_local(x, place.root) => !reads(y, written),
-                ExprKind::Compare(_, x, y) if is_local(y, place.root) => !reads(x, written),
+                ExprKind::Compare(_, x, y) if is_whole(x, place.root) => !reads(y, written),
+                ExprKind::Compare(_, x, y) if is_whole(y, place.root) => !reads(x, written),
                 _ => false,
             };
             orders.extend(self.relations.orders_of(place.root).filter(beside));
@@ -147,10 +148,6 @@ fn is_word(expr: &Expr) -> bool {
     matches!(&expr.kind, ExprKind::Load(place) if key(place).is_some())
 }
 
-fn is_local(expr: &Expr, local: LocalId) -> bool {
-    matches!(&expr.kind, ExprKind::Load(place) if place.root == local && place.steps.is_empty())
-}
-
 fn compare(op: CompareOp, a: &Expr, b: &Expr) -> Expr {
     Expr::compare(op, a.clone(), b.clone())
 }
@@ -160,9 +157,9 @@ fn compared_with(body: &Block, local: LocalId, written: &[Place]) -> Vec<Expr> {
     let mut found: Vec<Expr> = Vec::new();
     body.any_expr(|expr| {
         let ExprKind::Compare(_, a, b) = &expr.kind else { return false };
-        let other = if is_local(a, local) { b } else { a };
+        let other = if is_whole(a, local) { b } else { a };
         let is_place = is_word(other) && other.ty.as_int().is_some();
-        if is_local(a, local) != is_local(b, local) && is_place && !reads(other, written) {
+        if is_whole(a, local) != is_whole(b, local) && is_place && !reads(other, written) {
             let other = erased(other);
             if !found.contains(&other) {
                 found.push(other);

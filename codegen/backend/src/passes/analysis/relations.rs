@@ -9,6 +9,8 @@ use std::rc::Rc;
 
 use bessemer_ir::visit::Walk as _;
 use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, LocalId, LogicOp, Place, Span, Type};
+use imbl::GenericVector;
+use imbl::shared_ptr::RcK;
 
 use super::glance::{Glance, bit};
 use crate::passes::places::erased;
@@ -24,16 +26,16 @@ struct Relation {
     glance: Glance,
 }
 
-/// Conditions that hold.
+/// Conditions that hold, the latest last. A copy shares them.
 #[derive(Clone, Default)]
-pub(super) struct Relations(Vec<Relation>);
+pub(super) struct Relations(GenericVector<Relation, RcK>);
 
 impl Relations {
     /// Adds a condition.
     pub(super) fn learn(&mut self, condition: &Expr) {
         let condition = Rc::new(upright(erased(condition)));
         let glance = Glance::of(&condition);
-        self.0.push(Relation { condition, glance });
+        self.0.push_back(Relation { condition, glance });
     }
 
     /// Adds the condition that one of two holds; the second is evaluated only where the first does not.
@@ -77,25 +79,37 @@ impl Relations {
     /// Drops the conditions that read one of `written`.
     pub(super) fn forget(&mut self, written: &[Place]) {
         let roots = written.iter().fold(0, |roots, place| roots | bit(place.root));
-        self.0.retain(|it| it.glance.roots & roots == 0 || !reads(&it.condition, written));
+        let reads = |it: &Relation| it.glance.roots & roots != 0 && reads(&it.condition, written);
+        if self.0.iter().any(reads) {
+            self.0.retain(|it| !reads(it));
+        }
     }
 
     /// Keeps the conditions that hold here and in `other`.
     pub(super) fn join(&mut self, other: &Relations) {
         let before = self.before(other);
-        let shared = addresses(&other.0[before..]);
-        let here = self.0.split_off(before);
-        self.0.extend(here.into_iter().filter(|it| {
+        let shared = other.addresses_from(before);
+        let is_in_both = |it: &&Relation| {
             let mut alike = other.0.iter().filter(|other| other.glance.like(it.glance));
             shared.contains(&Rc::as_ptr(&it.condition))
                 || alike.any(|other| it.condition == other.condition)
-        }));
+        };
+        let kept: Vec<Relation> = self.0.iter().skip(before).filter(is_in_both).cloned().collect();
+        if before + kept.len() < self.0.len() {
+            self.0.truncate(before);
+            self.0.extend(kept);
+        }
     }
 
     /// Returns how many of the first conditions are those of `other`. Two branches share what held before them.
     fn before(&self, other: &Relations) -> usize {
         let both = self.0.iter().zip(&other.0);
         both.take_while(|(a, b)| Rc::ptr_eq(&a.condition, &b.condition)).count()
+    }
+
+    /// Returns the addresses of the conditions from a place on.
+    fn addresses_from(&self, first: usize) -> HashSet<*const Expr> {
+        self.0.iter().skip(first).map(|it| Rc::as_ptr(&it.condition)).collect()
     }
 
     /// Returns true if `condition` follows from one that holds. `fails` returns true for conditions that certainly do
@@ -110,15 +124,20 @@ impl Relations {
     /// Returns the orders of a local with other numbers.
     pub(super) fn orders_of(&self, local: LocalId) -> impl Iterator<Item = Expr> {
         let about = self.0.iter().filter(move |it| it.glance.roots & bit(local) != 0);
-        about.rev().flat_map(|it| orders(&it.condition))
+        // Many locals share a bit.
+        let is_about = move |it: &&Relation| match &it.condition.kind {
+            ExprKind::Compare(_, a, b) => is_whole(a, local) || is_whole(b, local),
+            _ => false,
+        };
+        about.rev().filter(is_about).flat_map(|it| orders(&it.condition))
     }
 
     /// Returns the orders of which `other` has not learned the condition, the latest first.
     pub(super) fn orders_beyond(&self, other: &Relations) -> impl Iterator<Item = Expr> {
         let before = self.before(other);
-        let shared = addresses(&other.0[before..]);
+        let shared = other.addresses_from(before);
         let beyond = move |it: &&Relation| !shared.contains(&Rc::as_ptr(&it.condition));
-        self.0[before..].iter().rev().filter(beyond).flat_map(|it| orders(&it.condition))
+        self.0.iter().skip(before).rev().filter(beyond).flat_map(|it| orders(&it.condition))
     }
 
     /// Returns each number that is known to be at least `number`, or more by the second.
@@ -140,8 +159,9 @@ impl Relations {
     }
 }
 
-fn addresses(relations: &[Relation]) -> HashSet<*const Expr> {
-    relations.iter().map(|it| Rc::as_ptr(&it.condition)).collect()
+/// Returns true if an expression is the local itself.
+pub(super) fn is_whole(expr: &Expr, local: LocalId) -> bool {
+    matches!(&expr.kind, ExprKind::Load(place) if place.root == local && place.steps.is_empty())
 }
 
 /// Returns true if a condition that holds implies another, by itself or, for a disjunction, because its first half

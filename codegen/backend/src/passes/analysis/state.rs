@@ -1,8 +1,8 @@
 //! The state: facts about places, and relations between them; with writes, and joins of paths.
 
-use std::collections::BTreeMap;
-
 use bessemer_ir::{Expr, ExprKind, FunctionId, LocalId, Module, Place, Scalar, Step, Type};
+use imbl::OrdMap;
+use imbl::ordmap::DiffItem;
 
 use super::domain::Interval;
 use super::known::{Known, Parts};
@@ -14,13 +14,13 @@ use bessemer_ir::effects::{overlap, whole};
 /// there.
 pub(super) type Key = (LocalId, Vec<u32>);
 
-/// Facts at a point of a function.
+/// Facts at a point of a function. A copy shares them, and costs nothing: each branch has one.
 #[derive(Clone)]
 pub(crate) struct State<'m> {
     pub(super) module: &'m Module,
     /// Summaries of the functions before this one.
     pub(super) results: &'m [Results],
-    pub(super) known: BTreeMap<Key, Known>,
+    pub(super) known: OrdMap<Key, Known>,
     pub(super) relations: Relations,
     /// True if nothing is concluded; each operation then has the full range of its type.
     pub(super) blind: bool,
@@ -42,7 +42,7 @@ pub(super) fn place_of((root, fields): &Key) -> Place {
 impl<'m> State<'m> {
     /// Returns the state without facts, which every execution satisfies.
     pub(crate) fn new(module: &'m Module) -> State<'m> {
-        let (known, relations) = (BTreeMap::new(), Relations::default());
+        let (known, relations) = (OrdMap::new(), Relations::default());
         State { module, results: &[], known, relations, blind: false }
     }
 
@@ -87,7 +87,7 @@ impl<'m> State<'m> {
     pub(crate) fn forget(&mut self, written: &[Place]) {
         for written in written {
             let (first, next) = (written.root, LocalId(written.root.0.saturating_add(1)));
-            let same_root = self.known.range((first, Vec::new())..(next, Vec::new()));
+            let same_root = self.known.range::<_, Key>((first, Vec::new())..(next, Vec::new()));
             let hit = same_root.map(|(key, _)| key).filter(|key| overlap(&place_of(key), written));
             for key in hit.cloned().collect::<Vec<_>>() {
                 self.known.remove(&key);
@@ -113,7 +113,7 @@ impl<'m> State<'m> {
             }
             ExprKind::Load(from) if !value.ty.is_word() => {
                 let Some((root, fields)) = key(from) else { return };
-                let held = self.known.range((root, fields.clone())..);
+                let held = self.known.range::<_, Key>((root, fields.clone())..);
                 let inside = held.map_while(|((other, all), known)| {
                     let rest = all.strip_prefix(&fields[..]).filter(|_| *other == root)?;
                     Some(([at, rest].concat(), *known))
@@ -146,12 +146,31 @@ impl<'m> State<'m> {
     /// Keeps the facts that hold here and in `other`.
     pub(crate) fn join(&mut self, other: &State<'m>) {
         let orders = self.common(other);
-        self.known.retain(|key, known| {
-            let both = other.known.get(key).and_then(|other| known.or(*other));
-            both.inspect(|both| *known = *both).is_some()
-        });
+        self.change(other, |known, other| known.or(*other?));
         self.relations.join(&other.relations);
         orders.iter().for_each(|order| self.relations.learn(order));
+    }
+
+    /// Changes or drops the facts that differ from those of `other`. Where paths meet, most are shared, and are not
+    /// looked at.
+    pub(super) fn change(
+        &mut self,
+        other: &State<'m>,
+        mut changed: impl FnMut(Known, Option<&Known>) -> Option<Known>,
+    ) {
+        let changes = self.known.diff(&other.known).filter_map(|item| match item {
+            DiffItem::Add(..) => None,
+            DiffItem::Remove(key, known) => Some((key.clone(), changed(*known, None))),
+            DiffItem::Update { old: (key, known), new: (_, other) } => {
+                Some((key.clone(), changed(*known, Some(other))))
+            }
+        });
+        for (key, known) in changes.collect::<Vec<_>>() {
+            match known {
+                Some(known) => _ = self.known.insert(key, known),
+                None => _ = self.known.remove(&key),
+            }
+        }
     }
 
     /// Continues after branches, with the join of those that reach their end.
