@@ -46,11 +46,12 @@ fn drop_copy(block: &mut Vec<Stmt>, body: &[Stmt]) -> bool {
         let said = StmtKind::Expr(Expr::cast("void", Expr::name(&declarator.name)));
         // Names of other blocks count as one: of a name that two have, nothing is known.
         let elsewhere = |place| reads(body, place) > 1 && declarations(body, place) <= 1;
-        let needless = match init {
+        let needless = || match init {
             Init::Value(value) => root(value).is_some_and(elsewhere),
             list => is_constant(list),
         };
-        next.kind == said && !names(rest, &declarator.name) && needless
+        // The last looks through the whole function.
+        next.kind == said && !names(rest, &declarator.name) && needless()
     };
     if let Some(at) = (0..block.len()).find(unread) {
         block.drain(at..at + 2);
