@@ -1,8 +1,10 @@
 //! Writes: every place against every other, of a few fields. What is known of one goes if the other is it, holds it, or
 //! is a part of it.
 
-use bessemer_ir::{Expr, ExprKind, Int, LocalId, Module, Place, Scalar, Span, Step, Type};
+use bessemer_ir::effects::whole;
+use bessemer_ir::{Expr, ExprKind, Float, Int, LocalId, Module, Place, Scalar, Span, Step, Type};
 
+use crate::passes::analysis::known::{Known, the_whole};
 use crate::passes::analysis::{Interval, State};
 
 const U8: Type = Type::Scalar(Scalar::Int(Int::U8));
@@ -41,6 +43,43 @@ fn what_is_written_is_not_known() {
                 let is_known = state.range(&word(&place)) == known;
                 assert_eq!(is_known, !touched, "{place:?} and {write:?}");
             }
+        }
+    }
+}
+
+#[test]
+fn facts_of_one_path_do_not_hold_where_two_meet() {
+    let module = Module::default();
+    let nothing = State::new(&module);
+    for place in places() {
+        let mut known = State::new(&module);
+        known.bound(&word(&place), Interval::new(3, 4));
+        let mut none = nothing.clone();
+        none.join(&known);
+        known.join(&nothing);
+        for state in [known, none] {
+            assert_eq!(state.range(&word(&place)), Interval::of(Int::U8), "{place:?}");
+        }
+    }
+}
+
+/// `1.0 / x` tells the zeros apart, so neither is known where the paths with both meet, and each stays where both have it.
+#[test]
+fn zeros_of_either_sign_are_distinct_facts() {
+    let module = Module::default();
+    let place = Place { ty: Type::Scalar(Scalar::Float(Float::F64)), ..whole(LocalId(0)) };
+    let behind = |value: f64| {
+        let mut state = State::new(&module);
+        state.assign(&place, vec![(Vec::new(), Known::Float(value))]);
+        state
+    };
+    for one in [0.0, -0.0] {
+        for other in [0.0, -0.0] {
+            let mut state = behind(one);
+            state.join(&behind(other));
+            let known = the_whole(&state.parts(&place.load()));
+            let same = one.is_sign_negative() == other.is_sign_negative();
+            assert_eq!(known == Some(Known::Float(one)), same, "{one} or {other}: {known:?}");
         }
     }
 }
