@@ -1,0 +1,46 @@
+//! Chance by seed: each sample of each channel has numbers of its own.
+//!
+//! A number depends on the seed, the channel's name, the number of the sample and its purpose, and on nothing else. So a
+//! new sensor, or another order of the sensors, changes nothing for the others. The generator is ChaCha with 8 rounds; the normal
+//! distribution is that of Box and Muller, by the functions of `libm`, so the bits are equal on every machine.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use std::f64::consts::TAU;
+
+/// Words of 32 bits that are reserved for a sample: a block of ChaCha.
+const BLOCK: u128 = 16;
+
+/// Random numbers of a channel.
+#[derive(Clone, Debug)]
+pub struct Chance(ChaCha8Rng);
+
+impl Chance {
+    /// Creates the numbers of a channel from a seed.
+    pub fn new(seed: u64, channel: &str) -> Self {
+        let mut generator = ChaCha8Rng::seed_from_u64(seed);
+        generator.set_stream(hash(channel));
+        Self(generator)
+    }
+
+    /// Returns four independent numbers of a sample, each uniform from 0 to below 1.
+    pub fn uniform(&mut self, sample: u64) -> [f64; 4] {
+        self.0.set_word_pos(u128::from(sample) * BLOCK);
+        // The upper 53 bits.
+        std::array::from_fn(|_| (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+
+    /// Returns two independent numbers of a sample, normal with mean 0 and variance 1, and one uniform from 0 to below 1.
+    pub fn normal(&mut self, sample: u64) -> ([f64; 2], f64) {
+        let [radius, angle, uniform, _] = self.uniform(sample);
+        let radius = (-2.0 * libm::log(1.0 - radius)).sqrt();
+        let (sine, cosine) = libm::sincos(TAU * angle);
+        ([radius * cosine, radius * sine], uniform)
+    }
+}
+
+/// Returns the FNV-1a hash of a text, 64 bits.
+fn hash(text: &str) -> u64 {
+    let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3);
+    text.bytes().fold(0xCBF2_9CE4_8422_2325, mix)
+}

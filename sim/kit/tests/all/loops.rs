@@ -1,0 +1,285 @@
+//! Loops: the order of simultaneous things, rates, noise by seed, faults, files and errors.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use bessemer_sim::*;
+
+/// An integrator of its command.
+#[derive(Debug)]
+struct Tank;
+
+impl Plant<1> for Tank {
+    type Command = f64;
+    type Disturbance = f64;
+
+    fn derivative(&self, _: f64, _: &State<1>, input: &Input<f64, f64>) -> State<1> {
+        State::from([input.command + input.disturbance])
+    }
+}
+
+fn level(name: &str, period: u32, quality: Quality) -> Channel<Tank, 1> {
+    let signal = Signal::new(name, "m", |view: &View<Tank, 1>| view.state[0]);
+    Channel { signal, period: Period::ticks(period).expect("a period"), quality }
+}
+
+fn setup<const S: usize>(sensors: [Channel<Tank, 1>; S]) -> Setup<Tank, 1, S> {
+    Setup {
+        plant: Tank,
+        start: State::from([0.0]),
+        command: 0.0,
+        sensors,
+        probes: vec![Signal::new("flow", "m/s", |view: &View<Tank, 1>| view.input.command)],
+        tick: Tick::nanoseconds(1_000_000).expect("a tick"),
+        control: Period::ticks(4).expect("a period"),
+        record: Period::ticks(6).expect("a period"),
+        solver: Solver::RungeKutta { step: 1e-3 },
+    }
+}
+
+fn scenario(duration: f64) -> Scenario<f64, f64> {
+    Scenario {
+        duration,
+        goals: Timeline::constant(1.0),
+        disturbances: Timeline::constant(0.0),
+        faults: Vec::new(),
+        seed: 7,
+    }
+}
+
+fn idle<const S: usize>() -> impl FnMut(&[Reading; S], &f64) -> f64 {
+    |_, goal| *goal
+}
+
+fn run<const S: usize>(setup: Setup<Tank, 1, S>, scenario: &Scenario<f64, f64>) -> Recording {
+    setup.run(scenario, &mut idle()).expect("it runs").recording
+}
+
+/// Readings come before the step, the step before the probes, and each at its own rate.
+#[test]
+fn simultaneous_things_have_an_order() {
+    let steps = Rc::new(RefCell::new(Vec::new()));
+    let seen = Rc::clone(&steps);
+    let mut computer = move |readings: &[Reading; 2], goal: &f64| {
+        seen.borrow_mut().push((readings[0], readings[1], *goal));
+        *goal
+    };
+    let mut scenario = scenario(0.012);
+    scenario.goals = Timeline::new(1.0, vec![(0.008, 2.0)]).expect("in order");
+    scenario.disturbances = Timeline::new(0.0, vec![(0.0105, 100.0)]).expect("in order");
+    let setup = setup([level("fast", 1, Quality::default()), level("slow", 8, Quality::default())]);
+    let outcome = setup.run(&scenario, &mut computer).expect("it runs");
+    let steps = steps.borrow();
+    let values: Vec<_> = steps.iter().map(|step| (step.0.value, step.1.value, step.2)).collect();
+    // The disturbance is in effect from the tick at 11 ms on: 1 ms · 100 m/s.
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-15;
+    let expected = [(0.0, 0.0, 1.0), (0.004, 0.0, 1.0), (0.008, 0.008, 2.0), (0.116, 0.008, 2.0)];
+    assert_eq!(values.len(), expected.len());
+    for (value, expected) in values.iter().zip(expected) {
+        assert!(near(value.0, expected.0) && near(value.1, expected.1), "{values:?}");
+        assert_eq!(value.2, expected.2);
+    }
+    assert_eq!(
+        steps.iter().map(|it| it.1.is_fresh).collect::<Vec<_>>(),
+        [true, false, true, false]
+    );
+    let flow = outcome.recording.channel("flow").expect("it is recorded");
+    assert_eq!(
+        (flow.times(), flow.values()),
+        (&[0, 6_000_000, 12_000_000][..], &[1.0, 1.0, 2.0][..])
+    );
+}
+
+/// A second sensor, before or behind, changes no bit of the first.
+#[test]
+fn noise_is_by_seed_and_name() {
+    let quality = Quality { noise: 1.0, walk: 0.1, dropout: 0.2, ..Quality::default() };
+    let noisy = |name: &str| level(name, 1, quality);
+    let recorded = |recording: &Recording, name: &str| recording.channel(name).expect("it").clone();
+    let alone = recorded(&run(setup([noisy("a")]), &scenario(1.0)), "a");
+    let both = run(setup([noisy("b"), noisy("a")]), &scenario(1.0));
+    assert_eq!(recorded(&both, "a"), alone);
+    assert_ne!(recorded(&both, "b").values(), alone.values());
+    let other = Scenario { seed: 8, ..scenario(1.0) };
+    assert_ne!(recorded(&run(setup([noisy("a")]), &other), "a").values(), alone.values());
+}
+
+/// Mean, variance and lost readings of 100 000 samples, within five standard deviations of each figure.
+#[test]
+fn noise_is_normal_and_losses_are_rare() {
+    let count = 100_000_u32;
+    let mut chance = Chance::new(3, "gyroscope");
+    let (mut sum, mut squares, mut fourths, mut lost) = (0.0, 0.0, 0.0, 0);
+    for sample in 0..u64::from(count) {
+        let ([one, other], uniform) = chance.normal(sample);
+        for value in [one, other] {
+            sum += value;
+            squares += value * value;
+            fourths += value.powi(4);
+        }
+        lost += u32::from(uniform < 0.1);
+    }
+    let n = 2.0 * f64::from(count);
+    assert!((sum / n).abs() < 5.0 / n.sqrt());
+    assert!((squares / n - 1.0).abs() < 5.0 * (2.0 / n).sqrt());
+    assert!((fourths / n - 3.0).abs() < 5.0 * (96.0 / n).sqrt());
+    assert!(
+        (f64::from(lost) / f64::from(count) - 0.1).abs() < 5.0 * (0.09 / f64::from(count)).sqrt()
+    );
+    // The bits are those of every machine.
+    let (normal, uniform) = Chance::new(1, "a").normal(5);
+    assert_eq!(
+        [normal[0], normal[1], uniform].map(f64::to_bits),
+        [13_823_043_049_161_272_563, 13_825_512_185_665_718_388, 4_584_926_455_373_456_592]
+    );
+}
+
+/// A walk of 1 unit/√s has the variance t: over 200 channels at 1 s, within five standard deviations.
+#[test]
+fn a_bias_walks() {
+    let quality = Quality { walk: 1.0, bias: 2.0, ..Quality::default() };
+    let mut squares = 0.0;
+    for seed in 0..200 {
+        let mut scenario = Scenario { seed, ..scenario(1.0) };
+        scenario.goals = Timeline::constant(0.0);
+        let recording = run(setup([level("a", 10, quality)]), &scenario);
+        let end = recording.channel("a").expect("it is recorded").last().expect("a sample");
+        squares += (end - 2.0).powi(2);
+    }
+    assert!((squares / 200.0 - 1.0).abs() < 5.0 * (2.0_f64 / 200.0).sqrt());
+}
+
+#[test]
+fn faults_come_and_go() {
+    let fault = |from, until, kind| Fault { sensor: "a".to_owned(), from, until, kind };
+    let mut scenario = scenario(0.008);
+    scenario.faults = vec![
+        fault(0.002, 0.004, FaultKind::Stuck),
+        fault(0.005, 0.006, FaultKind::Silent),
+        fault(0.007, f64::INFINITY, FaultKind::Offset(1.0)),
+    ];
+    let quality = Quality { resolution: 0.0005, ..Quality::default() };
+    let recording = run(setup([level("a", 1, quality)]), &scenario);
+    let values = recording.channel("a").expect("it is recorded").values();
+    let expected = [0.0, 0.001, 0.001, 0.001, 0.004, 0.006, 1.007, 1.008];
+    assert_eq!(values.len(), expected.len());
+    assert!(values.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "{values:?}");
+}
+
+#[test]
+fn tables_have_each_number() {
+    let recording = run(setup([level("a", 4, Quality::default())]), &scenario(0.008));
+    let csv = recording.csv();
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines[0], "time [s],a [m],flow [m/s]");
+    assert_eq!(lines[1], "0.000000000,0,1");
+    assert!(lines[2].starts_with("0.004000000,0.00") && lines[2].ends_with(','), "{csv}");
+    assert_eq!((lines[3], lines.len()), ("0.006000000,,1", 5));
+    let a: f64 = lines[4].split(',').nth(1).and_then(|it| it.parse().ok()).expect("a number");
+    assert_eq!(Some(a), recording.channel("a").expect("it is recorded").last());
+}
+
+#[cfg(feature = "mcap")]
+#[test]
+fn logs_have_each_number() {
+    let recording = run(setup([level("a", 4, Quality::default())]), &scenario(0.008));
+    let bytes = recording.mcap().expect("it is written");
+    let messages =
+        mcap::MessageStream::new(&bytes).expect("a log").map(|it| it.expect("a message"));
+    let all: Vec<_> = messages
+        .map(|it| {
+            (it.channel.topic.clone(), it.log_time, String::from_utf8_lossy(&it.data).into_owned())
+        })
+        .collect();
+    let value = |channel: &str| recording.channel(channel).expect("it is recorded").values();
+    let expected = [
+        ("/a", 0, 0),
+        ("/flow", 0, 0),
+        ("/a", 4_000_000, 1),
+        ("/flow", 6_000_000, 1),
+        ("/a", 8_000_000, 2),
+    ];
+    let expected = expected.map(|(topic, time, index)| {
+        (topic.to_owned(), time, format!("{{\"value\":{}}}", value(&topic[1..])[index]))
+    });
+    assert_eq!(all, expected);
+}
+
+#[cfg(feature = "plots")]
+#[test]
+fn pictures_have_each_curve() {
+    let recording = run(setup([level("a", 1, Quality::default())]), &scenario(1.0));
+    let picture = recording.svg(&[&["a"], &["flow"]]).expect("it is drawn");
+    assert!(picture.starts_with("<svg") && picture.trim_end().ends_with("</svg>"));
+    assert!(picture.matches("<polyline").count() >= 2);
+    assert!(picture.contains("flow") && picture.contains("time, s"));
+    assert!(matches!(recording.svg(&[&["b"]]), Err(Error::Unknown { .. })));
+}
+
+/// Each mistake is an error with a remedy.
+#[test]
+fn mistakes_are_errors() {
+    let ideal = || level("a", 1, Quality::default());
+    let said = |setup: Setup<Tank, 1, 1>, scenario: &Scenario<f64, f64>| {
+        setup.run(scenario, &mut idle()).expect_err("it is refused").to_string()
+    };
+    let fault = |sensor: &str, until| Fault {
+        sensor: sensor.to_owned(),
+        from: 0.1,
+        until,
+        kind: FaultKind::Silent,
+    };
+    let with = |fault| Scenario { faults: vec![fault], ..scenario(1.0) };
+    let quality = |quality| setup([level("a", 1, quality)]);
+    let errors = [
+        (Tick::nanoseconds(0).expect_err("refused").to_string(), "the tick is 0 ns"),
+        (Period::ticks(0).expect_err("refused").to_string(), "a period has 0 ticks"),
+        (
+            Timeline::new(0, vec![(1.0, 1), (1.0, 2)]).expect_err("refused").to_string(),
+            "the change at 1 s is not after",
+        ),
+        (
+            Timeline::new(0, vec![(f64::NAN, 1)]).expect_err("refused").to_string(),
+            "`time of a change` is NaN",
+        ),
+        (said(setup([ideal()]), &scenario(-1.0)), "`duration` is -1"),
+        (
+            said(setup([level("flow", 1, Quality::default())]), &scenario(1.0)),
+            "two channels have the name `flow`",
+        ),
+        (said(setup([level("a,b", 1, Quality::default())]), &scenario(1.0)), "`a,b` cannot name"),
+        (
+            said(setup([ideal()]), &with(fault("b", 1.0))),
+            "no channel has the name `b`; the channels are a",
+        ),
+        (said(setup([ideal()]), &with(fault("a", 0.1))), "the interval from 0.1 s to 0.1 s"),
+        (
+            said(quality(Quality { noise: -1.0, ..Quality::default() }), &scenario(1.0)),
+            "`noise of a` is -1",
+        ),
+        (
+            said(quality(Quality { dropout: 1.5, ..Quality::default() }), &scenario(1.0)),
+            "`dropout of a` is 1.5",
+        ),
+        (
+            said(Setup { start: State::from([f64::NAN]), ..setup([ideal()]) }, &scenario(1.0)),
+            "state 0 or its derivative is not finite at 0 s",
+        ),
+    ];
+    for (error, expected) in errors {
+        assert!(error.starts_with(expected) && error.contains(';'), "{error}");
+    }
+}
+
+#[test]
+fn a_computer_may_fail() {
+    struct Dead;
+    impl Computer<1, f64, f64> for Dead {
+        fn step(&mut self, _: &[Reading; 1], _: &f64) -> Result<f64, Failure> {
+            Err("the process ended".into())
+        }
+    }
+    let setup = setup([level("a", 1, Quality::default())]);
+    let error = setup.run(&scenario(1.0), &mut Dead).expect_err("it fails");
+    assert_eq!(error.to_string(), "the computer failed at 0 s: the process ended");
+}

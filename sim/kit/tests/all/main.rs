@@ -1,0 +1,4 @@
+//! The crate as its users see it. Figures are compared with closed forms, or with values of other programs.
+
+mod integrators;
+mod loops;
