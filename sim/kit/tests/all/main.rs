@@ -1,4 +1,6 @@
 //! The crate as its users see it. Figures are compared with closed forms, or with values of other programs.
 
+mod battery;
+mod drive;
 mod integrators;
 mod loops;
