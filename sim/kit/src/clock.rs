@@ -4,7 +4,11 @@
 
 use std::num::{NonZeroU32, NonZeroU64};
 
-use crate::error::{Error, not_negative};
+use crate::error::{Error, checked, not_negative};
+
+/// Latest time of a scenario, s: its nanoseconds fit into 64 bits.
+const LONGEST: f64 = 1e9;
+const LONGEST_RANGE: &str = "at most 10⁹ s";
 
 /// Length of the base tick, a whole number of nanoseconds.
 ///
@@ -34,7 +38,8 @@ impl Tick {
 
     /// Returns the first tick that is not before a time, s; `item` names the time in the error.
     pub(crate) fn not_before(self, item: &str, time: f64) -> Result<u64, Error> {
-        let near = (not_negative(item, time)? * 1e9 / self.0.get() as f64).round() as u64;
+        let time = checked(item, not_negative(item, time)?, LONGEST_RANGE, time <= LONGEST)?;
+        let near = (time * 1e9 / self.0.get() as f64).round() as u64;
         Ok(if self.seconds(near) < time { near.saturating_add(1) } else { near })
     }
 }

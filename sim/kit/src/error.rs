@@ -125,6 +125,12 @@ pub(crate) fn probability(item: &str, value: f64) -> Result<f64, Error> {
     checked(item, value, "from 0 to 1", (0.0..=1.0).contains(&value))
 }
 
-fn checked(item: &str, value: f64, range: &'static str, is_fine: bool) -> Result<f64, Error> {
+/// Returns a number that is in its range, or an error that names `item`.
+pub(crate) fn checked(
+    item: &str,
+    value: f64,
+    range: &'static str,
+    is_fine: bool,
+) -> Result<f64, Error> {
     if is_fine { Ok(value) } else { Err(Error::Range { item: item.to_owned(), value, range }) }
 }

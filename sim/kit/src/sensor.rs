@@ -137,7 +137,8 @@ impl Sampler {
             _ => value,
         };
         let value = if quality.resolution > 0.0 {
-            (value / quality.resolution).round() * quality.resolution
+            // Without the sum, a small negative value would be −0.
+            (value / quality.resolution).round() * quality.resolution + 0.0
         } else {
             value
         };

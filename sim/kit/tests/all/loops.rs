@@ -243,6 +243,7 @@ fn mistakes_are_errors() {
             "`time of a change` is NaN",
         ),
         (said(setup([ideal()]), &scenario(-1.0)), "`duration` is -1"),
+        (said(setup([ideal()]), &scenario(1e10)), "`duration` is 10000000000"),
         (
             said(setup([level("flow", 1, Quality::default())]), &scenario(1.0)),
             "two channels have the name `flow`",
@@ -269,6 +270,46 @@ fn mistakes_are_errors() {
     for (error, expected) in errors {
         assert!(error.starts_with(expected) && error.contains(';'), "{error}");
     }
+}
+
+/// An input that jumps lets an event occur at the tick of the jump, once.
+#[test]
+fn a_jump_of_an_input_is_an_event() {
+    struct Fuse {
+        is_blown: bool,
+    }
+    impl Plant<1> for Fuse {
+        type Command = f64;
+        type Disturbance = f64;
+        fn derivative(&self, _: f64, _: &State<1>, _: &Input<f64, f64>) -> State<1> {
+            State::from([if self.is_blown { 0.0 } else { 1.0 }])
+        }
+        fn events(&self) -> usize {
+            1
+        }
+        fn crossing(&self, _: usize, _: f64, _: &State<1>, input: &Input<f64, f64>) -> f64 {
+            1.0 - input.disturbance
+        }
+        fn handle(&mut self, _: usize, _: f64, _: &mut State<1>) {
+            self.is_blown = true;
+        }
+    }
+    let setup = Setup {
+        plant: Fuse { is_blown: false },
+        start: State::from([0.0]),
+        command: 0.0,
+        sensors: [],
+        probes: Vec::new(),
+        tick: Tick::nanoseconds(1_000_000).expect("a tick"),
+        control: Period::ticks(100).expect("a period"),
+        record: Period::ticks(100).expect("a period"),
+        solver: Solver::DormandPrince(Tolerances::default()),
+    };
+    let disturbances = Timeline::new(0.0, vec![(0.3, 2.0), (0.6, 3.0)]).expect("in order");
+    let scenario = Scenario { disturbances, ..scenario(1.0) };
+    let outcome = setup.run(&scenario, &mut idle()).expect("it runs");
+    assert_eq!(outcome.events, [Occurrence { time: 0.3, event: 0 }]);
+    assert!(outcome.plant.is_blown && (outcome.state[0] - 0.3).abs() < 1e-12);
 }
 
 #[test]
