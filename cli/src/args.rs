@@ -127,7 +127,7 @@ pub enum Template {
     Drive,
     /// Height and climb from accelerometer and barometer, and a monitor of the barometer
     Estimator,
-    /// A vehicle: its speed and its lane
+    /// A vehicle: its speed and its lane, simulated by bessemer-sim with noisy sensors and a hill
     Vehicle,
 }
 

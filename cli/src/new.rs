@@ -135,7 +135,7 @@ pub fn run(folder: &Path, wanted: &New) -> Result<String, Error> {
     }
     // Inside of a workspace, its manifest says what holds for all.
     let profile = if Workspace::of(folder).is_ok() { "" } else { PROFILE };
-    let dependency = dependency(folder, wanted)?;
+    let dependency = dependencies(folder, wanted)?;
     let all = FILES.iter().copied().chain(model(wanted.template));
     let written = all.into_iter().try_for_each(|(path, text)| {
         let path = package.join(path);
@@ -198,29 +198,51 @@ fn renamed(text: &str, name: &str) -> String {
     text.replace("@PACKAGE@", name).replace("@NAME@", &word).replace("@Name@", &camel)
 }
 
-/// The line of the manifest that names the DSL.
-fn dependency(folder: &Path, wanted: &New) -> Result<String, Error> {
+/// Returns the lines of the manifest that name the DSL and, for a template that simulates with it, `bessemer-sim`.
+fn dependencies(folder: &Path, wanted: &New) -> Result<String, Error> {
+    let source = source(folder, wanted)?;
+    let line = |name: &str, part: &str, more: &str| match &source {
+        Source::Git(url) => format!("{name} = {{ git = \"{url}\"{more} }}"),
+        Source::Checkout(path) => {
+            format!("{name} = {{ path = \"{}\"{more} }}", path.join(part).display())
+        }
+    };
+    let mut lines = line("bessemer", "dsl", "");
+    if wanted.template == Some(Template::Vehicle) {
+        let simulation = line("bessemer-sim", "sim/kit", ", default-features = false");
+        lines += &format!("\n\n[dev-dependencies]\n{simulation}");
+    }
+    Ok(lines)
+}
+
+/// Place of Bessemer's packages.
+enum Source {
+    /// URL of a repository.
+    Git(String),
+    /// Folder, as the new package names it.
+    Checkout(PathBuf),
+}
+
+/// Returns the place of the packages on which a new one depends.
+fn source(folder: &Path, wanted: &New) -> Result<Source, Error> {
     let repository = env!("CARGO_PKG_REPOSITORY");
     if let Some(url) = &wanted.git {
-        return Ok(format!("bessemer = {{ git = \"{url}\" }}"));
+        return Ok(Source::Git(url.clone()));
     }
-    let given = match &wanted.path {
+    let checkout = match &wanted.path {
         Some(path) => folder.join(path),
-        None if !repository.is_empty() => {
-            return Ok(format!("bessemer = {{ git = \"{repository}\" }}"));
-        }
+        None if !repository.is_empty() => return Ok(Source::Git(repository.to_owned())),
         // Built from a checkout that nobody has published.
         None => PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(".."),
     };
-    if !given.join("dsl/Cargo.toml").is_file() {
-        return Err(Error::NoCheckout { folder: given });
+    if !checkout.join("dsl/Cargo.toml").is_file() {
+        return Err(Error::NoCheckout { folder: checkout });
     }
-    let dsl = match wanted.path.as_deref().filter(|path| path.is_relative()) {
-        // As it was given, so that the two can be moved together.
-        Some(path) => Path::new("..").join(path).join("dsl"),
-        None => between(&folder.join(&wanted.name), &given).join("dsl"),
-    };
-    Ok(format!("bessemer = {{ path = \"{}\" }}", dsl.display()))
+    Ok(Source::Checkout(match wanted.path.as_deref().filter(|path| path.is_relative()) {
+        // As the user wrote it, so that the two can be moved together.
+        Some(path) => Path::new("..").join(path),
+        None => between(&folder.join(&wanted.name), &checkout),
+    }))
 }
 
 /// The relative path from a folder that need not exist yet to another. No manifest then names a folder of one machine.
@@ -263,11 +285,16 @@ mod tests {
             path: Some(path.into()),
             git: None,
         };
-        assert!(matches!(dependency(folder.path(), &new("b")), Err(Error::NoCheckout { .. })));
+        assert!(matches!(dependencies(folder.path(), &new("b")), Err(Error::NoCheckout { .. })));
         fs::create_dir_all(folder.path().join("b/dsl")).expect("a folder");
         fs::write(folder.path().join("b/dsl/Cargo.toml"), "").expect("a file");
-        let line = dependency(folder.path(), &new("b")).expect("it is there");
+        let line = dependencies(folder.path(), &new("b")).expect("it is there");
         assert_eq!(line, "bessemer = { path = \"../b/dsl\" }");
+
+        let vehicle = New { template: Some(Template::Vehicle), ..new("b") };
+        let lines = dependencies(folder.path(), &vehicle).expect("it is there");
+        let simulation = "bessemer-sim = { path = \"../b/sim/kit\", default-features = false }";
+        assert_eq!(lines, format!("{line}\n\n[dev-dependencies]\n{simulation}"));
     }
 
     #[test]
@@ -278,10 +305,10 @@ mod tests {
         fs::create_dir_all(checkout.join("dsl")).expect("a folder");
         fs::write(checkout.join("dsl/Cargo.toml"), "").expect("a file");
         let new = New { name: "m".to_owned(), template: None, path: Some(checkout), git: None };
-        let line = dependency(&work, &new).expect("it is there");
+        let line = dependencies(&work, &new).expect("it is there");
         assert_eq!(line, "bessemer = { path = \"../../b/dsl\" }");
         assert_eq!(
-            dependency(folder.path(), &new).expect("it is there").replace("../b", ""),
+            dependencies(folder.path(), &new).expect("it is there").replace("../b", ""),
             "bessemer = { path = \"/dsl\" }"
         );
     }

@@ -102,8 +102,10 @@ impl Workspace {
         let target = root.join("target");
         let workspace = Workspace { root: tempfile::tempdir()?, target: target.clone() };
         fs::copy(root.join("Cargo.lock"), workspace.path("Cargo.lock"))?;
-        fs::create_dir(workspace.path("legs"))?;
-        for linked in ["dsl", "estimation", "blocks", "legs/words"] {
+        for folder in ["legs", "sim"] {
+            fs::create_dir(workspace.path(folder))?;
+        }
+        for linked in ["dsl", "estimation", "blocks", "legs/words", "sim/kit"] {
             symlink(root.join(linked), workspace.path(linked))?;
         }
         let text = fs::read_to_string(root.join("Cargo.toml"))?;

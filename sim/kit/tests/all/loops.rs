@@ -179,7 +179,6 @@ fn tables_have_each_number() {
     assert_eq!(Some(a), recording.channel("a").expect("it is recorded").last());
 }
 
-#[cfg(feature = "mcap")]
 #[test]
 fn logs_have_each_number() {
     let recording = run(setup([level("a", 4, Quality::default())]), &scenario(0.008));
@@ -205,7 +204,6 @@ fn logs_have_each_number() {
     assert_eq!(all, expected);
 }
 
-#[cfg(feature = "plots")]
 #[test]
 fn pictures_have_each_curve() {
     let recording = run(setup([level("a", 1, Quality::default())]), &scenario(1.0));
