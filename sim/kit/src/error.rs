@@ -73,6 +73,16 @@ pub enum Error {
         /// Length of the refused step, s.
         step: f64,
     },
+    /// The adaptive solver needs too many steps in one interval.
+    #[error(
+        "the solver took {count} steps in one interval up to {time} s; the plant is stiff: leave out its fastest states, or loosen the tolerances"
+    )]
+    Stiff {
+        /// Time, s.
+        time: f64,
+        /// Number of steps.
+        count: usize,
+    },
     /// An event occurs again and again within one interval.
     #[error(
         "event {event} occurred {count} times up to {time} s without an end; let `handle` leave the state in which it recurs"

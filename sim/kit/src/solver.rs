@@ -20,6 +20,9 @@ const HALVINGS: u32 = 48;
 /// Largest number of events in one interval.
 const MOST_EVENTS: usize = 10_000;
 
+/// Largest number of adaptive steps in one interval, as in Hairer's `dopri5`.
+const MOST_STEPS: usize = 100_000;
+
 /// Limits of an adaptive step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerances {
@@ -190,10 +193,13 @@ impl<const N: usize> Integrator<N> {
         self.armed.resize(system.events(), false);
         let mut occurred = Vec::new();
         let mut now = time;
-        loop {
+        for count in 0_usize.. {
+            if count > MOST_STEPS && matches!(self.solver, Solver::DormandPrince(_)) {
+                return Err(Error::Stiff { time: now, count });
+            }
             self.handle_jumps(system, now, state, &mut occurred)?;
             if until - now <= shortest(until) {
-                return Ok(occurred);
+                break;
             }
             let (end, step) = self.accepted(system, now, state, until)?;
             if self.armed.is_empty() && observer.is_none() {
@@ -213,6 +219,7 @@ impl<const N: usize> Integrator<N> {
                 self.occur(system, event, now, state, &mut occurred)?;
             }
         }
+        Ok(occurred)
     }
 
     /// Handles armed events whose crossing has jumped to 0 or below: an input or a handler changed it.

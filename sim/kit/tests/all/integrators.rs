@@ -240,4 +240,9 @@ fn wrong_input_is_an_error() {
     let mut state = State::from([1.0]);
     let ended = integrator.advance(&mut pole, 0.0, &mut state, 2.0);
     assert!(matches!(ended, Err(Error::Underflow { .. } | Error::NotFinite { .. })), "{ended:?}");
+
+    // Steps of some ns would take hours.
+    let mut stiff = |time: f64, state: &State<1>| State::from([1e9 * (time.cos() - state[0])]);
+    let ended = integrator.advance(&mut stiff, 0.0, &mut State::from([1.0]), 10.0);
+    assert!(matches!(ended, Err(Error::Stiff { .. })), "{ended:?}");
 }
