@@ -171,6 +171,28 @@ fn endless_events_are_an_error() {
     assert!(matches!(ended, Err(Error::Chatter { event: 0, .. })), "{ended:?}");
 }
 
+/// Two events in one quarter of a step occur in order of time, not of index.
+#[test]
+fn events_are_in_order_of_time() {
+    struct Fall;
+    impl System<1> for Fall {
+        fn derivative(&self, _: f64, _: &State<1>) -> State<1> {
+            State::from([-1.0])
+        }
+        fn events(&self) -> usize {
+            2
+        }
+        fn crossing(&self, event: usize, _: f64, state: &State<1>) -> f64 {
+            state[0] - [0.45, 0.48][event]
+        }
+    }
+    let mut integrator = Integrator::new(Solver::RungeKutta { step: 1.0 }).expect("a solver");
+    let events =
+        integrator.advance(&mut Fall, 0.0, &mut State::from([1.0]), 1.0).expect("it falls");
+    assert_eq!(events.iter().map(|it| it.event).collect::<Vec<_>>(), [1, 0]);
+    assert!((events[0].time - 0.52).abs() < 1e-14 && (events[1].time - 0.55).abs() < 1e-14);
+}
+
 /// A pendulum from 2 rad swings through 0 after a quarter of 2π/agm(1, cos 1) at √(g/l) = 1.
 #[test]
 fn a_pendulum_swings_through_when_it_must() {
