@@ -63,9 +63,9 @@ pub enum Error {
         /// Time, s.
         time: f64,
     },
-    /// The adaptive solver cannot meet its tolerances.
+    /// A step is too short: no step meets the tolerances, or a fixed step does not change the time.
     #[error(
-        "the step at {time} s fell to {step} s; loosen the tolerances, or make the derivative continuous and its jumps events"
+        "the step at {time} s fell to {step} s; lengthen a fixed step, loosen the tolerances, or make the derivative continuous and its jumps events"
     )]
     Underflow {
         /// Time, s.

@@ -321,6 +321,9 @@ impl<const N: usize> Integrator<N> {
                 self.adaptive(&tolerances, system, now, state, first, until)?
             }
         };
+        if end <= now {
+            return Err(Error::Underflow { time: now, step: end - now });
+        }
         finite(end, &step.end)?;
         Ok((end, step))
     }
