@@ -122,14 +122,18 @@ pub fn unique_from(name: &str, first: u32, taken: impl Fn(&str) -> bool) -> (Str
     if !taken(name) {
         return (name.to_owned(), None);
     }
-    let gap = if name.ends_with('_') { "" } else { "_" };
-    let candidates = (first..).map(|number| (format!("{name}{gap}{number}"), Some(number)));
+    let stem = stem(name);
+    let candidates = (first..).map(|number| (format!("{stem}{number}"), Some(number)));
     candidates.into_iter().find(|(candidate, _)| !taken(candidate)).expect("numbers do not end")
 }
 
-/// Returns the name and the number of a numbered name.
+/// Returns the part of a numbered name before its number: `x_` for `x` and for `x_`.
+pub fn stem(name: &str) -> String {
+    if name.ends_with('_') { name.to_owned() } else { format!("{name}_") }
+}
+
+/// Returns the stem and the number of a numbered name.
 pub fn numbered(name: &str) -> Option<(&str, u32)> {
     let stem = name.trim_end_matches(|last: char| last.is_ascii_digit());
-    let number = name[stem.len()..].parse().ok()?;
-    Some((stem.strip_suffix('_').unwrap_or(stem), number))
+    Some((stem, name[stem.len()..].parse().ok()?))
 }

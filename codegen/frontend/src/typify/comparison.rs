@@ -277,13 +277,13 @@ impl Lowering<'_, '_> {
         decided.or_refused(site, refusals::EMPTY_ORDER)
     }
 
-    /// Compares the variants, then the words of equal variants.
+    /// Compares the variants, then the word of equal variants.
     fn by_variants(&mut self, op: CompareOp, id: StructId, pair: &Pair) -> Result<Expr> {
         let tags = pair.parts(|whole| self.part(whole, id, 0)).sides.map(|tag| tag.load());
         let [one, other] = tags;
         let same = Expr::compare(CompareOp::Eq, one, other).at(pair.span);
         let first = order_of_tags(self, strict(op), id, pair);
-        let held = words_of_variants(self, op, id, pair)?;
+        let held = word_of_variant(self, op, id, pair)?;
         Ok(Expr::logic(LogicOp::Or, first, Expr::logic(LogicOp::And, same, held)))
     }
 
@@ -420,32 +420,26 @@ fn order_of_tags(lower: &Lowering<'_, '_>, op: CompareOp, id: StructId, pair: &P
     Expr::compare(op, one, other).at(pair.span)
 }
 
-/// Compares the words of two values that have the same variant.
-fn words_of_variants(
+/// Compares the word of two values that have the same variant, if that variant has the word.
+fn word_of_variant(
     lower: &mut Lowering<'_, '_>,
     op: CompareOp,
     id: StructId,
     pair: &Pair,
 ) -> Result<Expr> {
-    let mut held: Option<Expr> = None;
-    for (word, case) in (0..).zip(lower.cx.known_of(id).cases.clone()) {
-        let Some(field) = case.field else { continue };
-        let there = lower.tag_is(&pair.sides[0], id, word);
-        let part = pair.parts(|whole| lower.part(whole, id, field as usize));
-        let [one, other] = part.sides.map(|side| side.load());
-        let ordered = lower.compare_node(op, one, other, part.site)?;
-        held = Some(match (held, op == strict(op)) {
-            (None, true) => Expr::logic(LogicOp::And, there, ordered),
-            (None, false) => Expr::logic(LogicOp::Or, there.negated(), ordered),
-            (Some(held), true) => {
-                Expr::logic(LogicOp::Or, held, Expr::logic(LogicOp::And, there, ordered))
-            }
-            (Some(held), false) => {
-                Expr::logic(LogicOp::And, held, Expr::logic(LogicOp::Or, there.negated(), ordered))
-            }
-        });
-    }
-    Ok(held.unwrap_or_else(|| Expr::bool(op != strict(op), pair.span)))
+    let mut cases = (0..).zip(&lower.cx.known_of(id).cases);
+    let with_word = cases.find_map(|(word, case)| Some((word, case.field?)));
+    let Some((word, field)) = with_word else {
+        return Ok(Expr::bool(op != strict(op), pair.span));
+    };
+    let there = lower.tag_is(&pair.sides[0], id, word);
+    let part = pair.parts(|whole| lower.part(whole, id, field as usize));
+    let [one, other] = part.sides.map(|side| side.load());
+    let ordered = lower.compare_node(op, one, other, part.site)?;
+    Ok(match op == strict(op) {
+        true => Expr::logic(LogicOp::And, there, ordered),
+        false => Expr::logic(LogicOp::Or, there.negated(), ordered),
+    })
 }
 
 /// Calls the function that compares two values of a type. `>` is `<` of the operands in turned order.

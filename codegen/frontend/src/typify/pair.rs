@@ -63,10 +63,9 @@ pub(super) fn has_loop(lower: &Lowering<'_, '_>, ty: &Type) -> bool {
 /// Returns true if the order of a struct is clear in one expression: of a few words, or of a choice with one word.
 pub(super) fn is_short(lower: &Lowering<'_, '_>, id: StructId) -> bool {
     let fields = lower.cx.fields(id);
-    match ordered_choice(lower, id) {
-        true => fields.len() <= 2 && fields.iter().all(|field| field.ty.is_word()),
-        false => fields.len() <= FEW as usize && fields.iter().all(|field| field.ty.is_word()),
-    }
+    // The tag of a choice is a field.
+    let most = if ordered_choice(lower, id) { 2 } else { FEW as usize };
+    fields.len() <= most && fields.iter().all(|field| field.ty.is_word())
 }
 
 /// Returns true for an ordered enum with payload, an `Option` or a `Result`.

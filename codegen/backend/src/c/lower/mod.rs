@@ -42,7 +42,7 @@ use super::layout::{Enums, size_of};
 use super::mentions;
 use super::names::local_name;
 use super::signature::{Returned, Signature};
-use super::spelling::{FIRST_NUMBER, numbered, unique_from};
+use super::spelling::{FIRST_NUMBER, numbered, stem, unique_from};
 use super::tree::{
     Declarator, Expr, Init, Lines, Origin, Stmt, StmtKind, Storage, compound, plain,
 };
@@ -95,7 +95,7 @@ pub(super) struct Lower<'a> {
     live: Vec<String>,
     /// The visible names as a set.
     taken: HashSet<String>,
-    /// The number from which each name is looked for: all below are taken.
+    /// The number from which each stem is looked for: all below are taken.
     free: HashMap<String, u32>,
     out: Vec<Stmt>,
     origin: Option<Origin>,
@@ -366,10 +366,11 @@ impl<'a> Lower<'a> {
             Some(param) if param.name == wanted => format!("{wanted}_value"),
             _ => wanted,
         };
-        let first = self.free.get(&wanted).copied().unwrap_or(FIRST_NUMBER);
+        let stem = stem(&wanted);
+        let first = self.free.get(&stem).copied().unwrap_or(FIRST_NUMBER);
         let (name, number) = unique_from(&wanted, first, taken);
         if let Some(number) = number {
-            self.free.insert(wanted, number + 1);
+            self.free.insert(stem, number + 1);
         }
         self.live.push(name.clone());
         self.taken.insert(name.clone());

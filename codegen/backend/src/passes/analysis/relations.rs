@@ -9,8 +9,7 @@ use std::rc::Rc;
 
 use bessemer_ir::visit::Walk as _;
 use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, LocalId, LogicOp, Place, Span, Type};
-use imbl::GenericVector;
-use imbl::shared_ptr::RcK;
+use imbl::Vector;
 
 use super::glance::{Glance, bit};
 use crate::passes::places::erased;
@@ -28,7 +27,7 @@ struct Relation {
 
 /// Conditions that hold, the latest last. A copy shares them.
 #[derive(Clone, Default)]
-pub(super) struct Relations(GenericVector<Relation, RcK>);
+pub(super) struct Relations(Vector<Relation>);
 
 impl Relations {
     /// Adds a condition.
