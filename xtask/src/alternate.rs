@@ -10,6 +10,7 @@ pub const TESTS: [&[&str]; 2] = [
     &[
         "bessemer-tests/all::command::a_new_package_is_simulated_and_generated",
         "bessemer-tests/all::corpus::the_c_agrees_in_every_layout",
+        "bessemer-tests/all::corpus::what_was_proved_holds",
         "bessemer-tests/all::linear::the_c_agrees",
         "bessemer-tests/all::stability::only_what_must_move_moves",
     ],
