@@ -197,6 +197,9 @@ fn halves_of_signed_numbers() {
     assert_eq!(of_signed("if i >= n { break; } n = n / 2u8;"), (false, false));
     assert_eq!(of_signed("if n < 0u8 { break; } n = n / 2u8;"), (false, false));
     assert_eq!(of_signed("if n <= m { break; } n = n >> 1u8;"), (false, false));
+    // The other number goes up, but not as fast as a negative one that is halved.
+    assert!(!of_signed("if i >= n { break; } i = i + 1u8; n = n / 2u8;").0);
+    assert!(shown_of("u8", "if i >= n { break; } i = i + 1u8; n = n / 2u8;").0);
     let twice = "if n <= 0u8 { break; } n = n.wrapping_sub(100u8); n = n / 2u8; n = n.max(m);";
     assert!(!of_signed(twice).0);
 }
