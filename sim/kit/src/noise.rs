@@ -11,6 +11,9 @@ use std::f64::consts::TAU;
 /// Words of 32 bits that are reserved for a sample: a block of ChaCha.
 const BLOCK: u128 = 16;
 
+/// Numbers of 64 bits in a block.
+const NUMBERS: usize = 8;
+
 /// Random numbers of a channel.
 #[derive(Clone, Debug)]
 pub struct Chance(ChaCha8Rng);
@@ -25,18 +28,50 @@ impl Chance {
 
     /// Returns four independent numbers of a sample, each uniform from 0 to below 1.
     pub fn uniform(&mut self, sample: u64) -> [f64; 4] {
-        self.0.set_word_pos(u128::from(sample) * BLOCK);
-        // The upper 53 bits.
-        std::array::from_fn(|_| (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64)
+        let [a, b, c, d, ..] = self.block(sample);
+        [a, b, c, d]
     }
 
     /// Returns two independent numbers of a sample, normal with mean 0 and variance 1, and one uniform from 0 to below 1.
     pub fn normal(&mut self, sample: u64) -> ([f64; 2], f64) {
-        let [radius, angle, uniform, _] = self.uniform(sample);
-        let radius = (-2.0 * libm::log(1.0 - radius)).sqrt();
-        let (sine, cosine) = libm::sincos(TAU * angle);
-        ([radius * cosine, radius * sine], uniform)
+        let [radius, angle, uniform, ..] = self.block(sample);
+        (normals(radius, angle), uniform)
     }
+
+    /// Returns all independent numbers of a sample of a sensor.
+    pub(crate) fn draws(&mut self, sample: u64) -> Draws {
+        let [radius, angle, lost, outlier, size, ..] = self.block(sample);
+        let [white, walk] = normals(radius, angle);
+        Draws { white, walk, lost, outlier, size: 2.0 * size - 1.0 }
+    }
+
+    /// Returns the independent numbers of a sample, each uniform from 0 to below 1.
+    fn block(&mut self, sample: u64) -> [f64; NUMBERS] {
+        self.0.set_word_pos(u128::from(sample) * BLOCK);
+        // The upper 53 bits.
+        std::array::from_fn(|_| (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+}
+
+/// Numbers of one sample of a sensor.
+pub(crate) struct Draws {
+    /// Normal: the white noise.
+    pub white: f64,
+    /// Normal: the step of the bias.
+    pub walk: f64,
+    /// Uniform from 0 to below 1: the sample is lost if it is below the probability.
+    pub lost: f64,
+    /// Uniform from 0 to below 1: the sample is an outlier if it is below the probability.
+    pub outlier: f64,
+    /// Uniform from −1 to below 1: the size of the outlier.
+    pub size: f64,
+}
+
+/// Returns two independent normal numbers from two uniform ones.
+fn normals(radius: f64, angle: f64) -> [f64; 2] {
+    let radius = (-2.0 * libm::log(1.0 - radius)).sqrt();
+    let (sine, cosine) = libm::sincos(TAU * angle);
+    [radius * cosine, radius * sine]
 }
 
 /// Returns the FNV-1a hash of a text, 64 bits.

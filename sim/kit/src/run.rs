@@ -80,7 +80,8 @@ impl<P: Plant<N>, const N: usize, const S: usize> Setup<P, N, S> {
     /// At a tick the following happens, in this order, as far as it is due:
     ///
     /// 1. Goals, disturbances and faults change, at the first tick that is not before their time.
-    /// 2. The sensors sample, in their order. They see the command that was in effect up to now.
+    /// 2. The sensors sample, in their order. They see the command that was in effect up to now. Then the readings whose
+    ///    delay is over arrive; a recording has them at that time.
     /// 3. The computer takes a step; its command is in effect from now on.
     /// 4. The probes are recorded, in their order, with the new command.
     /// 5. The plant advances, with a constant input, to the next tick at which one of these is due.
@@ -114,15 +115,15 @@ impl<P: Plant<N>, const N: usize, const S: usize> Setup<P, N, S> {
             let view = View { time, plant: &self.plant, state: &state, input: &input };
             let due = self.sensors.iter().zip(&mut samplers).zip(&mut readings).enumerate();
             for (index, ((channel, sampler), reading)) in due {
-                if !channel.period.is_due(now) {
-                    continue;
-                }
                 let signal = &channel.signal;
-                let truth = signal.sensor.measure(&view);
-                let fault = scenario.fault(&signal.name, time);
-                if let Some(value) = sampler.read(&channel.quality, truth, fault, reading.value) {
+                if channel.period.is_due(now) {
+                    let truth = signal.sensor.measure(&view);
+                    let fault = scenario.fault(&signal.name, time);
+                    sampler.sample(&channel.quality, now, truth, fault);
+                }
+                while let Some((arrival, value)) = sampler.arrived(now) {
                     *reading = Reading { value, is_fresh: true };
-                    recording.push(index, tick.log_time(now), value);
+                    recording.push(index, tick.log_time(arrival), value);
                 }
             }
             if self.control.is_due(now) {

@@ -57,6 +57,8 @@ pub enum FaultKind {
     Silent,
     /// The readings have an offset, in the sensor's unit.
     Offset(f64),
+    /// The readings have an offset that grows from 0 at the begin of the fault, in the sensor's unit per second.
+    Drift(f64),
 }
 
 /// Fault of a sensor.
@@ -75,9 +77,11 @@ pub struct Fault {
 impl Fault {
     pub(crate) fn check(&self) -> Result<(), Error> {
         not_negative("from", self.from)?;
-        if let FaultKind::Offset(offset) = self.kind {
-            not_negative("offset", offset.abs())?;
-        }
+        match self.kind {
+            FaultKind::Offset(offset) => not_negative("offset", offset.abs())?,
+            FaultKind::Drift(rate) => not_negative("drift", rate.abs())?,
+            FaultKind::Stuck | FaultKind::Silent => 0.0,
+        };
         if self.until > self.from {
             Ok(())
         } else {
@@ -102,10 +106,13 @@ pub struct Scenario<G, D> {
 }
 
 impl<G, D> Scenario<G, D> {
-    /// Returns the fault of a sensor at a time, s.
+    /// Returns the fault of a sensor at a time, s; a drift as its offset at that time.
     pub(crate) fn fault(&self, sensor: &str, time: f64) -> Option<FaultKind> {
         let is_at =
             |fault: &&Fault| fault.sensor == sensor && fault.from <= time && time < fault.until;
-        self.faults.iter().find(is_at).map(|fault| fault.kind)
+        self.faults.iter().find(is_at).map(|fault| match fault.kind {
+            FaultKind::Drift(rate) => FaultKind::Offset(rate * (time - fault.from)),
+            kind => kind,
+        })
     }
 }

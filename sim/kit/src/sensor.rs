@@ -2,10 +2,11 @@
 //!
 //! A sensor knows the plant and not who uses its readings.
 
+use std::collections::VecDeque;
 use std::fmt;
 
 use crate::clock::{Period, Tick};
-use crate::error::{Error, not_negative, probability};
+use crate::error::{Error, checked, not_negative, probability};
 use crate::noise::Chance;
 use crate::plant::{Plant, View};
 use crate::scenario::FaultKind;
@@ -56,10 +57,18 @@ pub struct Quality {
     pub bias: f64,
     /// Standard deviation of the bias after 1 s of random walk, in the sensor's unit per √s.
     pub walk: f64,
+    /// Probability that a reading is an outlier, 0 to 1.
+    pub outliers: f64,
+    /// Largest error of an outlier, in the sensor's unit. The errors are uniform from minus this to this.
+    pub outlier_size: f64,
     /// Resolution: readings are multiples of it. In the sensor's unit; 0 for none.
     pub resolution: f64,
+    /// Least and largest reading, at which the sensor saturates, in its unit.
+    pub limits: Option<(f64, f64)>,
     /// Probability that a reading is lost, 0 to 1.
     pub dropout: f64,
+    /// Delay between the sample and its arrival, in ticks.
+    pub delay: u32,
 }
 
 impl Quality {
@@ -69,6 +78,10 @@ impl Quality {
         not_negative(&item("bias"), self.bias.abs())?;
         not_negative(&item("walk"), self.walk)?;
         not_negative(&item("resolution"), self.resolution)?;
+        probability(&item("outliers"), self.outliers)?;
+        not_negative(&item("outlier_size"), self.outlier_size)?;
+        let (least, most) = self.limits.unwrap_or_default();
+        checked(&item("limits"), most, "at least the lower limit", least <= most)?;
         probability(&item("dropout"), self.dropout).map(drop)
     }
 }
@@ -101,7 +114,11 @@ pub(crate) struct Sampler {
     bias: f64,
     /// Standard deviation of a step of the bias, in the sensor's unit.
     wander: f64,
+    /// Latest sample that was not lost, in the sensor's unit.
+    last: f64,
     stuck: Option<f64>,
+    /// Samples that have not arrived, each with the tick of its arrival, in order.
+    underway: VecDeque<(u64, f64)>,
 }
 
 impl Sampler {
@@ -116,37 +133,56 @@ impl Sampler {
             sample: 0,
             bias: channel.quality.bias,
             wander: channel.quality.walk * channel.period.seconds(tick).sqrt(),
+            last: 0.0,
             stuck: None,
+            underway: VecDeque::new(),
         })
     }
 
-    /// Returns the reading of a true value; `None` if it is lost. `last` is the latest reading.
-    pub(crate) fn read(
+    /// Samples a true value at a tick.
+    pub(crate) fn sample(
         &mut self,
         quality: &Quality,
+        now: u64,
         truth: f64,
         fault: Option<FaultKind>,
-        last: f64,
-    ) -> Option<f64> {
-        let ([white, walk], lost) = self.chance.normal(self.sample);
+    ) {
+        if let Some(value) = self.value(quality, truth, fault) {
+            self.last = value;
+            self.underway.push_back((now.saturating_add(quality.delay.into()), value));
+        }
+    }
+
+    /// Returns the next reading that has arrived by a tick, and the tick of its arrival.
+    pub(crate) fn arrived(&mut self, now: u64) -> Option<(u64, f64)> {
+        self.underway.pop_front_if(|(tick, _)| *tick <= now)
+    }
+
+    /// Returns the sensor's value of a true value; `None` if it is lost.
+    fn value(&mut self, quality: &Quality, truth: f64, fault: Option<FaultKind>) -> Option<f64> {
+        let draws = self.chance.draws(self.sample);
         self.sample += 1;
-        let value = truth + self.bias + quality.noise * white;
-        self.bias += self.wander * walk;
-        let value = match fault {
-            Some(FaultKind::Offset(offset)) => value + offset,
-            _ => value,
-        };
-        let value = if quality.resolution > 0.0 {
+        let mut value = truth + self.bias + quality.noise * draws.white;
+        self.bias += self.wander * draws.walk;
+        if let Some(FaultKind::Offset(offset)) = fault {
+            value += offset;
+        }
+        if draws.outlier < quality.outliers {
+            value += quality.outlier_size * draws.size;
+        }
+        if quality.resolution > 0.0 {
             // Without the sum, a small negative value would be −0.
-            (value / quality.resolution).round() * quality.resolution + 0.0
-        } else {
-            value
-        };
+            value = (value / quality.resolution).round() * quality.resolution + 0.0;
+        }
+        if let Some((least, most)) = quality.limits {
+            // The limits are checked. NaN stays.
+            value = value.clamp(least, most);
+        }
         self.stuck = match fault {
-            Some(FaultKind::Stuck) => Some(self.stuck.unwrap_or(last)),
+            Some(FaultKind::Stuck) => Some(self.stuck.unwrap_or(self.last)),
             _ => None,
         };
-        if lost < quality.dropout || fault == Some(FaultKind::Silent) {
+        if draws.lost < quality.dropout || fault == Some(FaultKind::Silent) {
             return None;
         }
         Some(self.stuck.unwrap_or(value))

@@ -7,7 +7,7 @@ use bessemer_sim::*;
 
 /// An integrator of its command.
 #[derive(Debug)]
-struct Tank;
+pub struct Tank;
 
 impl Plant<1> for Tank {
     type Command = f64;
@@ -18,12 +18,12 @@ impl Plant<1> for Tank {
     }
 }
 
-fn level(name: &str, period: u32, quality: Quality) -> Channel<Tank, 1> {
+pub fn level(name: &str, period: u32, quality: Quality) -> Channel<Tank, 1> {
     let signal = Signal::new(name, "m", |view: &View<Tank, 1>| view.state[0]);
     Channel { signal, period: Period::ticks(period).expect("a period"), quality }
 }
 
-fn setup<const S: usize>(sensors: [Channel<Tank, 1>; S]) -> Setup<Tank, 1, S> {
+pub fn setup<const S: usize>(sensors: [Channel<Tank, 1>; S]) -> Setup<Tank, 1, S> {
     Setup {
         plant: Tank,
         start: State::from([0.0]),
@@ -37,7 +37,7 @@ fn setup<const S: usize>(sensors: [Channel<Tank, 1>; S]) -> Setup<Tank, 1, S> {
     }
 }
 
-fn scenario(duration: f64) -> Scenario<f64, f64> {
+pub fn scenario(duration: f64) -> Scenario<f64, f64> {
     Scenario {
         duration,
         goals: Timeline::constant(1.0),
@@ -51,7 +51,7 @@ fn idle<const S: usize>() -> impl FnMut(&[Reading; S], &f64) -> f64 {
     |_, goal| *goal
 }
 
-fn run<const S: usize>(setup: Setup<Tank, 1, S>, scenario: &Scenario<f64, f64>) -> Recording {
+pub fn run<const S: usize>(setup: Setup<Tank, 1, S>, scenario: &Scenario<f64, f64>) -> Recording {
     setup.run(scenario, &mut idle()).expect("it runs").recording
 }
 
@@ -259,6 +259,17 @@ fn mistakes_are_errors() {
         (
             said(quality(Quality { dropout: 1.5, ..Quality::default() }), &scenario(1.0)),
             "`dropout of a` is 1.5",
+        ),
+        (
+            said(quality(Quality { outliers: -0.1, ..Quality::default() }), &scenario(1.0)),
+            "`outliers of a` is -0.1",
+        ),
+        (
+            said(
+                quality(Quality { limits: Some((2.0, 1.0)), ..Quality::default() }),
+                &scenario(1.0),
+            ),
+            "`limits of a` is 1; write a number that is at least the lower limit",
         ),
         (
             said(Setup { start: State::from([f64::NAN]), ..setup([ideal()]) }, &scenario(1.0)),

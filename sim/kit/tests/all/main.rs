@@ -4,3 +4,4 @@ mod battery;
 mod drive;
 mod integrators;
 mod loops;
+mod sensors;
