@@ -1,0 +1,4 @@
+//! The tests of campaigns, as one program.
+
+mod figures;
+mod files;
