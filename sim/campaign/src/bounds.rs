@@ -9,7 +9,7 @@ use statrs::distribution::{Beta, ContinuousCDF as _};
 /// Probability that the bounds contain the true one, at least.
 pub const CONFIDENCE: f64 = 0.95;
 
-/// How often something happened, with the bounds of its probability.
+/// Frequency of an event among runs, with the bounds of its probability.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Rate {
     /// Number of runs in which it happened.

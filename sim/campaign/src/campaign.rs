@@ -53,7 +53,7 @@ pub enum Type {
     Truth,
 }
 
-/// Which values of a column are the worst.
+/// End of a column's range that is the worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Worst {
     /// The largest.
@@ -158,7 +158,7 @@ pub trait Campaign: Sync {
     /// [`Column::or_infinite`] count as such a reason, too.
     fn run(&self, seed: u64) -> Result<Vec<Value>, String>;
 
-    /// Returns what is wrong with a completed run, such as "left the lane"; `None` if it is as it must be.
+    /// Returns the fault of a completed run, such as "left the lane"; `None` if it is as it must be.
     fn fault(&self, row: &[Value]) -> Option<String> {
         let _ = row;
         None

@@ -20,18 +20,18 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
-    /// The file is that of another campaign.
+    /// The file belongs to another campaign.
     #[error("`{}` has {what} `{found}`, and this campaign has `{wanted}`\nhelp: {remedy}", path.display())]
     Other {
         /// The file.
         path: PathBuf,
-        /// What differs.
+        /// Property that differs.
         what: &'static str,
-        /// That of the file.
+        /// Value of the file.
         found: String,
-        /// That of the campaign.
+        /// Value of the campaign.
         wanted: String,
-        /// What to do.
+        /// Remedy.
         remedy: String,
     },
     /// Another program writes the file.
@@ -47,7 +47,7 @@ pub enum Error {
         path: PathBuf,
         /// Number of the line, from 1.
         line: usize,
-        /// What is wrong with it.
+        /// Its fault.
         wrong: String,
     },
     /// Two rows of a seed differ.
@@ -67,7 +67,7 @@ pub enum Error {
     Campaign {
         /// Its name.
         kind: String,
-        /// What is wrong, and what to write.
+        /// The fault and its remedy.
         wrong: String,
     },
     /// An argument is not possible.

@@ -1,4 +1,4 @@
-//! The hash of sources, by which files of different models are told from one another.
+//! The hash of sources, which distinguishes the files of different models.
 //!
 //! Knows no Rust syntax: a line that begins with `//`, and an empty one, do not count, so a better comment changes no hash.
 

@@ -80,7 +80,7 @@ pub struct Arguments {
 pub fn main(campaigns: &[&dyn Campaign]) -> ExitCode {
     let arguments = Arguments::parse();
     if arguments.leashed {
-        // The end of the input is that of the parent.
+        // The input ends when the parent does.
         std::thread::spawn(|| {
             let _ = std::io::copy(&mut std::io::stdin(), &mut std::io::sink());
             std::process::exit(3);
@@ -100,7 +100,7 @@ pub fn main(campaigns: &[&dyn Campaign]) -> ExitCode {
 ///
 /// # Errors
 ///
-/// Those of files and arguments.
+/// Errors of files and arguments.
 pub fn perform(campaigns: &[&dyn Campaign], wanted: &Arguments) -> Result<bool, Error> {
     let campaign = chosen(campaigns, wanted.kind.as_deref())?;
     if let Some(level) = wanted.rare {
@@ -328,7 +328,7 @@ struct Progress {
     done: u64,
     total: u64,
     bad: u64,
-    told: u64,
+    shown: u64,
 }
 
 impl Progress {
@@ -349,7 +349,7 @@ impl Progress {
         if done > 0 {
             eprintln!("{done} of {total} runs are there already");
         }
-        Self { bar, done, total, bad: 0, told: done }
+        Self { bar, done, total, bad: 0, shown: done }
     }
 
     fn next(&mut self, is_bad: bool) {
@@ -360,8 +360,8 @@ impl Progress {
                 bar.set_message(format!("{} bad, ", self.bad));
             }
             bar.inc(1);
-        } else if self.done - self.told >= (self.total / 20).max(1) && self.total >= 200 {
-            self.told = self.done;
+        } else if self.done - self.shown >= (self.total / 20).max(1) && self.total >= 200 {
+            self.shown = self.done;
             eprintln!("{} of {} runs, {} bad", self.done, self.total, self.bad);
         }
     }

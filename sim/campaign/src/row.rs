@@ -56,7 +56,7 @@ impl Row {
     ///
     /// # Errors
     ///
-    /// What is wrong with the line.
+    /// The fault of the line.
     pub fn of_line(line: &str, columns: &[Column]) -> Result<Self, String> {
         let cells: Vec<&str> = line.split(',').collect();
         let wanted = columns.len() + 2;

@@ -37,7 +37,7 @@ impl Shard {
 ///
 /// # Errors
 ///
-/// What to write.
+/// The message says how it is written.
 ///
 /// ```
 /// use bessemer_campaign::{Shard, shard};
@@ -59,7 +59,7 @@ pub fn shard(text: &str) -> Result<Shard, String> {
 ///
 /// # Errors
 ///
-/// What to write.
+/// The message says how it is written.
 pub fn seeds(text: &str) -> Result<Range<u64>, String> {
     let wrong = || format!("`{text}` is not a range of seeds; write it as 0..1000");
     let (from, to) = text.split_once("..").ok_or_else(wrong)?;

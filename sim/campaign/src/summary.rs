@@ -29,20 +29,20 @@ pub struct Summary {
     pub runs: usize,
     /// Runs that are not as they must be: faulty, or without a result.
     pub bad: Rate,
-    /// Each fault, with that of runs without a result; the most frequent first.
+    /// Each fault, and the reasons of runs without a result; the most frequent first.
     pub faults: Vec<Fault>,
     /// Each column.
     pub columns: Vec<Figures>,
-    /// What a reader should know about the files.
+    /// Remarks on the files.
     pub remarks: Vec<String>,
 }
 
 /// Fault of runs.
 #[derive(Clone, Debug, Serialize)]
 pub struct Fault {
-    /// What is wrong.
+    /// Description.
     pub what: String,
-    /// How often.
+    /// Frequency.
     pub rate: Rate,
     /// The first seeds.
     pub seeds: Vec<Seed>,
@@ -188,7 +188,7 @@ pub(crate) fn titled(it: &Figures) -> String {
     if it.unit.is_empty() { name.clone() } else { format!("{name}, {}", it.unit) }
 }
 
-/// Returns what is wrong with a run.
+/// Returns the fault of a run.
 pub fn fault(campaign: &dyn Campaign, row: &Row) -> Option<String> {
     match &row.result {
         Ok(values) => campaign.fault(values),

@@ -163,8 +163,8 @@ fn what_cannot_be_estimated_is_refused() {
             Ok(Vec::new())
         }
     }
-    let told = estimate(&Plain, Effort::default()).expect_err("no severity").to_string();
-    assert!(told.contains("implement `Rare`"), "{told}");
+    let message = estimate(&Plain, Effort::default()).expect_err("no severity").to_string();
+    assert!(message.contains("implement `Rare`"), "{message}");
     for level in [0, 7, 10, 1001] {
         assert!(
             estimate(&Sum { bound: 1.0 }, Effort { level, ..Effort::default() }).is_err(),

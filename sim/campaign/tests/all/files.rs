@@ -1,4 +1,4 @@
-//! Files of results: what a kill leaves, what is refused, what shards come to.
+//! Files of results after kills, of other campaigns, and of shards.
 
 use bessemer_campaign::program::{Arguments, perform};
 use bessemer_campaign::{Campaign, Column, Error, Ledger, Row, Simple, Table, Value, read, run};
@@ -48,11 +48,11 @@ fn a_file_of_something_else_is_refused_and_left_as_it_is() {
         (scenario("mine", 1, &["fn b() {}"]), "the models `"),
     ];
     for (other, what) in others {
-        let told = fly(&other, &path, "0..5").expect_err("it is refused").to_string();
-        assert!(told.contains(what) && told.contains("\nhelp: "), "{told}");
-        let told =
+        let message = fly(&other, &path, "0..5").expect_err("it is refused").to_string();
+        assert!(message.contains(what) && message.contains("\nhelp: "), "{message}");
+        let message =
             rows(&other, std::slice::from_ref(&path)).expect_err("it is refused").to_string();
-        assert!(told.contains(what), "{told}");
+        assert!(message.contains(what), "{message}");
     }
     assert_eq!(fs::read(&path).expect("the file"), before);
     let text = folder.path().join("thesis.txt");
@@ -109,11 +109,14 @@ fn a_damaged_line_is_an_error_with_its_number() {
     let whole = fs::read_to_string(&path).expect("the file");
     for bad in ["1,nonsense,x,\n", "1,1.000\n", "x,1.000,x,\n", "\n", "1,1.000,x,,\n"] {
         fs::write(&path, format!("{whole}{bad}2,1.414,x,\n")).expect("the file");
-        for told in
+        for message in
             [fly(&mine, &path, "0..3").err(), rows(&mine, std::slice::from_ref(&path)).err()]
         {
-            let told = told.expect("it is refused").to_string();
-            assert!(told.contains("line 4:") && told.contains("help: "), "{bad:?}: {told}");
+            let message = message.expect("it is refused").to_string();
+            assert!(
+                message.contains("line 4:") && message.contains("help: "),
+                "{bad:?}: {message}"
+            );
         }
     }
 }
@@ -201,10 +204,12 @@ fn shards_are_the_whole_and_a_conflict_is_refused() {
     assert_eq!((twice.rows.len(), twice.repeated), (4, 4));
     let text = fs::read_to_string(&shards[0]).expect("the file");
     fs::write(&shards[0], text.replace("16,4.000", "16,4.001")).expect("the file");
-    let told = rows(&mine, &[whole, shards[0].clone()]).expect_err("a conflict").to_string();
+    let message = rows(&mine, &[whole, shards[0].clone()]).expect_err("a conflict").to_string();
     assert!(
-        told.contains("16,4.000,x,") && told.contains("16,4.001,x,") && told.contains("help"),
-        "{told}"
+        message.contains("16,4.000,x,")
+            && message.contains("16,4.001,x,")
+            && message.contains("help"),
+        "{message}"
     );
 }
 
