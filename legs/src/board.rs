@@ -86,7 +86,12 @@ pub fn identity(compiled: &Compiled) -> u64 {
 
 /// A board that has answered.
 #[derive(Debug)]
-pub struct Board<L>(Serial<L>);
+pub struct Board<L> {
+    serial: Serial<L>,
+    identity: u64,
+    /// Number of identity queries whose answer may still come: the board was slow, not absent.
+    late: usize,
+}
 
 impl<L: Read + Write> Board<L> {
     /// Requests the board's identity and checks it.
@@ -95,10 +100,14 @@ impl<L: Read + Write> Board<L> {
     ///
     /// The board does not answer, or has other C.
     pub fn open(line: L, identity: u64) -> Result<Self, Error> {
-        let mut board = Self(Serial::new(line));
+        let mut board = Self { serial: Serial::new(line), identity, late: 0 };
         let mut last = None;
         for _ in 0..ASKED {
-            match board.ask(&[WHO]) {
+            let answer = board.ask(&[WHO]);
+            if matches!(answer, Err(Error::Line(serial::Error::Silent))) {
+                board.late += 1;
+            }
+            match answer {
                 Ok(words) if words == [identity] => return Ok(board),
                 Ok(_) => return Err(Error::Other),
                 Err(Error::Line(serial::Error::Closed)) => {
@@ -122,12 +131,22 @@ impl<L: Read + Write> Board<L> {
         words: impl Iterator<Item = u64>,
     ) -> Result<Vec<u64>, Error> {
         let frame: Vec<u64> = std::iter::once(place as u64).chain(words).collect();
-        self.ask(&frame)
+        let mut answer = self.ask(&frame)?;
+        // An answer of one word is a fault, whose number is no identity.
+        while self.late > 0 && answer == [self.identity] {
+            self.late -= 1;
+            answer = self.answer()?;
+        }
+        Ok(answer)
     }
 
     fn ask(&mut self, frame: &[u64]) -> Result<Vec<u64>, Error> {
-        self.0.send(frame)?;
-        let mut words = self.0.receive()?;
+        self.serial.send(frame)?;
+        self.answer()
+    }
+
+    fn answer(&mut self) -> Result<Vec<u64>, Error> {
+        let mut words = self.serial.receive()?;
         if let Some(said) = complaint(&words) {
             return Err(Error::Said(said));
         }
@@ -165,5 +184,19 @@ mod tests {
         assert_eq!(said(&[who, &wrong]), "the board says: no");
         assert!(said(&[who, &[7]]).ends_with("garbled: it is no answer"));
         assert_eq!(said(&[who]), "the line is closed: the other end is gone");
+    }
+
+    /// An identity that comes after the query's timeout is not taken for the answer to a call.
+    #[test]
+    fn a_late_identity_is_no_answer_to_a_call() {
+        let (here, there) = UnixStream::pair().expect("a line");
+        let mut slow = Serial::new(there);
+        let who = [harness::ANSWER, 77];
+        for answer in [&who[..], &[harness::ANSWER, 0, 9], &[harness::ANSWER, 77]] {
+            slow.send(answer).expect("room");
+        }
+        let mut board = Board { serial: Serial::new(here), identity: 77, late: 1 };
+        assert_eq!(board.call(0, [5].into_iter()).expect("an answer"), [0, 9]);
+        assert_eq!(board.call(0, [5].into_iter()).expect("an answer"), [77], "once for each query");
     }
 }

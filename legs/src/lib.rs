@@ -8,6 +8,7 @@
 
 pub mod arguments;
 pub mod board;
+pub mod entries;
 pub mod firmware;
 pub mod harness;
 pub mod interpreter;

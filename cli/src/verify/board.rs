@@ -6,27 +6,21 @@
 use std::path::Path;
 
 use bessemer_codegen::compile::{Compiled, Options};
-use bessemer_ir::{Fault, FunctionId};
+use bessemer_ir::Fault;
 use bessemer_legs::board::{self, Board};
+use bessemer_legs::entries::callable;
 use bessemer_legs::outcome::Outcome;
 use bessemer_legs::port::Port;
 
-use super::{Case, all, fault, native};
+use super::{Case, fault};
 use crate::error::Error;
-
-/// The entry points in the firmware.
-fn entries(compiled: &Compiled) -> Vec<(FunctionId, u32)> {
-    let functions = &compiled.module.functions;
-    let can = all(&compiled.module).filter(|id| native::can_call(&functions[id.index()]));
-    can.map(|id| (id, functions[id.index()].params)).collect()
-}
 
 /// Writes the sources of the firmware into a folder, and says how to build them.
 ///
 /// # Errors
 /// Two files have one name; the folder cannot be written.
 pub fn write(compiled: &Compiled, options: &Options, folder: &Path) -> Result<String, Error> {
-    let sources = board::sources(compiled, &entries(compiled), options)
+    let sources = board::sources(compiled, &callable(compiled), options)
         .map_err(|why| Error::Board { port: folder.to_owned(), why })?;
     let failed = |source| Error::File { path: folder.to_owned(), source };
     std::fs::create_dir_all(folder).map_err(failed)?;
@@ -57,7 +51,7 @@ pub fn outcomes(
     let line =
         Port::open(port, baud).map_err(|source| Error::File { path: port.to_owned(), source })?;
     let mut board = Board::open(line, board::identity(compiled)).map_err(failed)?;
-    let places = entries(compiled);
+    let places = callable(compiled);
     let mut outcomes = Vec::new();
     for case in cases {
         let place = places.iter().position(|(id, _)| *id == case.id).unwrap_or(usize::MAX);

@@ -11,7 +11,7 @@ use bessemer_legs::toolchain::{self, Sizes, Toolchain};
 use bessemer_legs::{harness, process, watch};
 use bessemer_project::{Figure, Limits};
 
-use super::{Case, entries, fault, input};
+use super::{Case, called, fault, input};
 use crate::args::Target;
 use crate::error::Error;
 use bessemer_legs::outcome::Outcome;
@@ -101,7 +101,7 @@ pub fn seen(
     let folder = process::lay_out(compiled).map_err(|error| failed(error.to_string()))?;
     let main = folder.path().join("verify_main.c");
     let text =
-        harness::watched(&compiled.explicit, &entries(compiled, cases), options, toolchain.bare);
+        harness::watched(&compiled.explicit, &called(compiled, cases), options, toolchain.bare);
     std::fs::write(&main, text).map_err(|source| Error::File { path: main.clone(), source })?;
     let watched = watch::watched(toolchain, folder.path(), &main, folder.sources(), &input(cases));
     let watched = watched.map_err(failed)?;

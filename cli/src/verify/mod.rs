@@ -22,8 +22,9 @@ use bessemer_backend::c::names::FAULTS;
 use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_codegen::generate::{self, Program};
 use bessemer_interpret::{Interpreter, Stop};
-use bessemer_ir::{Fault, Function, FunctionId, Mode, Module, Role, Type};
+use bessemer_ir::{Fault, Function, FunctionId, Mode, Module, Type};
 use bessemer_legs::arguments::{Numbers, Size, words};
+use bessemer_legs::entries::{self, all, can_call, initial, named};
 use bessemer_legs::outcome::{self, Outcome};
 use bessemer_legs::random::Random;
 use bessemer_legs::toolchain::{self, Toolchain};
@@ -223,28 +224,14 @@ enum Inputs {
     Recorded { entry: FunctionId, calls: Vec<Vec<Vec<u64>>>, notes: Vec<String> },
 }
 
-/// The entry points of a module.
-fn all(module: &Module) -> impl Iterator<Item = FunctionId> + '_ {
-    let ids = (0..module.functions.len()).map(|index| FunctionId(index as u32));
-    ids.filter(|id| matches!(module.functions[id.index()].role, Role::Entry { .. }))
-}
-
 /// The entry point called `entry`, or the only one.
 fn chosen(compiled: &Compiled, entry: Option<&str>) -> Result<FunctionId, Error> {
     let module = &compiled.module;
-    let name = |id: &FunctionId| named(module, &module.functions[id.index()]);
-    // By its name in the C or in the Rust.
-    let in_rust = |entry| {
-        let mut entries = compiled.interface.entries.iter();
-        entries.find(|it| it.name == entry).map_or(entry, |it| it.rust.as_str())
-    };
-    let entry = entry.map(in_rust);
-    let chosen: Vec<FunctionId> =
-        all(module).filter(|id| entry.is_none_or(|entry| name(id) == entry)).collect();
+    let chosen = entries::chosen(compiled, entry);
     if let [entry] = chosen[..] {
         return Ok(entry);
     }
-    let known = all(module).map(|id| name(&id)).collect();
+    let known = all(module).map(|id| named(module, &module.functions[id.index()])).collect();
     Err(match entry {
         Some(entry) => Error::NoEntry { name: entry.to_owned(), known },
         None => Error::WhichEntry { known },
@@ -289,7 +276,7 @@ fn cases(module: &Module, inputs: &Inputs) -> Vec<Case> {
         let name = named(module, function);
         let (calls, expected, never) = (Vec::new(), Vec::new(), String::new());
         let mut case = Case { id, name, types, leaves, calls, expected, never };
-        if native::can_call(function) {
+        if can_call(function) {
             let initial = initial(module, &parameters[0].ty);
             let mut state = initial.clone();
             let numbers = Numbers::of(module, id);
@@ -333,16 +320,6 @@ fn cases(module: &Module, inputs: &Inputs) -> Vec<Case> {
     cases
 }
 
-/// Returns the words of a component before its first call: those of its constructor, or zeros, to which C initialises
-/// static objects.
-fn initial(module: &Module, component: &Type) -> Vec<u64> {
-    let built = match component {
-        Type::Struct(id) => module.structs[id.index()].initial.clone(),
-        _ => None,
-    };
-    built.unwrap_or_else(|| vec![0; module.width(component)])
-}
-
 /// The words that come out, and the component's among them.
 fn interpreted(
     interpreter: &mut Interpreter<'_>,
@@ -361,15 +338,6 @@ fn interpreted(
         Err(Stop::Fault { fault, .. }) => Err(fault),
         // A program that runs too long for the interpreter, or words that fit no type: no leg agrees with it.
         Err(_) => Err(Fault::LeftOut),
-    }
-}
-
-fn named(module: &Module, function: &Function) -> String {
-    match function.owner {
-        Some(bessemer_ir::Owner::Struct(id)) => {
-            format!("{}::{}", module.structs[id.index()].name, function.name)
-        }
-        _ => function.name.clone(),
     }
 }
 
@@ -450,7 +418,7 @@ fn output(mut command: Command, cases: &[Case]) -> Result<Vec<u64>, Error> {
 }
 
 /// The cases as the harness takes them.
-fn entries(compiled: &Compiled, cases: &[Case]) -> Vec<(FunctionId, u32)> {
+fn called(compiled: &Compiled, cases: &[Case]) -> Vec<(FunctionId, u32)> {
     let entry = |case: &Case| (case.id, compiled.module.functions[case.id.index()].params);
     cases.iter().map(entry).collect()
 }
@@ -489,7 +457,7 @@ fn of_c(
     toolchain: &Toolchain,
 ) -> Result<Vec<Vec<Outcome>>, Error> {
     let failed = |said: String| Error::Compiler { name: toolchain.name(), said };
-    let entries = entries(compiled, cases);
+    let entries = called(compiled, cases);
     let folder = process::lay_out(compiled).map_err(|error| failed(error.to_string()))?;
     let main = folder.path().join("verify_main.c");
     std::fs::write(&main, harness::programs_with(&compiled.explicit, &entries, options))

@@ -6,7 +6,7 @@
 
 use std::fmt::Write as _;
 
-use bessemer_ir::{Function, Mode, Module, Owner, Type};
+use bessemer_ir::{Function, Mode, Module, Owner};
 
 /// The head of the program, before the calls.
 const SUPPORT: &str = r#"//! A program around a package's entry points.
@@ -85,11 +85,4 @@ fn call(module: &Module, function: &Function) -> String {
     }
     let path = format!("{}::{}::{}", owner.module, owner.name, function.name);
     format!("{loads}if call(|| {path}({})).is_some() {{ {stores}}}", arguments.join(", "))
-}
-
-/// Returns true if such a program can call the function: it has a component and no borrowed slice.
-pub fn can_call(function: &Function) -> bool {
-    let parameters = function.parameters();
-    let slice = parameters.iter().any(|local| matches!(local.ty, Type::Slice(_)));
-    parameters.first().is_some_and(|local| local.name == "self") && !slice
 }

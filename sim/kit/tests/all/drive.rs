@@ -2,7 +2,7 @@
 
 #![allow(dead_code)]
 
-#[path = "../../examples/drive.rs"]
+#[path = "../../examples/drive/main.rs"]
 mod example;
 
 use example::{LOAD, MOTOR, SPEED_FREQUENCY, TARGET, run};

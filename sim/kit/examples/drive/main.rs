@@ -1,19 +1,20 @@
-//! A three-phase motor with permanent magnets under load steps: field-oriented control, from blocks.
+//! A three-phase motor with permanent magnets under load steps: field-oriented control, from blocks (`control.rs`).
 //!
 //! `cargo run --example drive` prints the figures of a run and writes `drive.csv`, `drive.mcap` and `drive.svg`. The plant shares no
 //! code with the controller: a fault in one must not hide in the other.
 
+pub mod control;
+
 use std::error::Error;
 use std::fs;
 
-use bessemer::prelude::*;
-use bessemer_blocks::{
-    Pid, PidParameters, Pll, PllGains, Rotor, Stator, clarke, park, park_inverse, space_vector,
-};
+use bessemer_blocks::{PidParameters, PllGains};
 use bessemer_sim::{
     Channel, Input, Outcome, Period, Plant, Quality, Reading, Scenario, Setup, Signal, Solver,
     Timeline, View,
 };
+
+use control::{Drive, Settings};
 
 /// Control period, s.
 pub const PERIOD: f64 = 1e-4;
@@ -23,58 +24,6 @@ pub const SUPPLY: f64 = 48.0;
 pub const SPEED_FREQUENCY: f64 = 75.0;
 /// Bandwidth of the current loops, rad/s.
 const CURRENT_BANDWIDTH: f64 = 1500.0;
-
-/// Settings of the drive.
-#[data]
-#[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
-    /// Speed loop, from rad/s to A.
-    pub speed: PidParameters<f64>,
-    /// Current loops, from A to V.
-    pub current: PidParameters<f64>,
-    /// Speed estimate from the angle.
-    pub pll: PllGains<f64>,
-    /// Number of pole pairs.
-    pub pole_pairs: f64,
-    /// Voltage of the supply, V.
-    pub supply: f64,
-}
-
-/// Holds the speed of a motor.
-#[component]
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Drive {
-    speed: Pid<f64>,
-    direct: Pid<f64>,
-    quadrature: Pid<f64>,
-    pll: Pll<f64>,
-}
-
-#[component]
-impl Drive {
-    /// Advances one period with a target speed in rad/s, two currents in A and an electrical angle in rad.
-    ///
-    /// Returns the duties of the three half bridges, 0 to 1.
-    #[entry(infallible)]
-    pub fn step(
-        &mut self,
-        settings: &Settings,
-        target: f64,
-        currents: [f64; 2],
-        angle: f64,
-    ) -> [f64; 3] {
-        let (sine, cosine) = angle.sin_cos();
-        self.pll.step(&settings.pll, Stator { alpha: cosine, beta: sine });
-        let speed = self.pll.speed() / settings.pole_pairs;
-        let current = park(clarke(currents[0], currents[1]), sine, cosine);
-        let torque_current = self.speed.step(&settings.speed, target, speed);
-        let voltage = Rotor {
-            direct: self.direct.step(&settings.current, 0.0, current.direct),
-            quadrature: self.quadrature.step(&settings.current, torque_current, current.quadrature),
-        };
-        space_vector(park_inverse(voltage, sine, cosine), settings.supply).duties
-    }
-}
 
 /// Motor with surface magnets, in the rotor's frame.
 ///
@@ -186,8 +135,8 @@ pub fn settings(motor: &Motor) -> Settings {
     }
 }
 
-/// Runs the drive up to its speed, and through a load that comes at 0.2 s and goes at 0.4 s.
-pub fn run(seed: u64) -> Result<Outcome<Motor, 4>, bessemer_sim::Error> {
+/// Returns the loop around the drive: motor, sensors, rates.
+pub fn setup() -> Result<Setup<Motor, 4, 3>, bessemer_sim::Error> {
     let current = |name: &str, lag: f64| {
         let value = move |view: &View<Motor, 4>| Motor::phase_current(view.state, lag);
         let quality = Quality { noise: 0.02, resolution: 0.005, ..Quality::default() };
@@ -201,7 +150,7 @@ pub fn run(seed: u64) -> Result<Outcome<Motor, 4>, bessemer_sim::Error> {
             ..Quality::default()
         },
     };
-    let setup = Setup {
+    Ok(Setup {
         plant: MOTOR,
         start: [0.0; 4].into(),
         command: [0.5; 3],
@@ -216,20 +165,28 @@ pub fn run(seed: u64) -> Result<Outcome<Motor, 4>, bessemer_sim::Error> {
         control: Period::TICK,
         record: Period::ticks(5)?,
         solver: Solver::RungeKutta { step: 0.5 * PERIOD },
-    };
-    let scenario = Scenario {
+    })
+}
+
+/// Returns a run up to the speed, and through a load that comes at 0.2 s and goes at 0.4 s.
+pub fn scenario(seed: u64) -> Result<Scenario<f64, f64>, bessemer_sim::Error> {
+    Ok(Scenario {
         duration: 0.6,
         goals: Timeline::constant(TARGET),
         disturbances: Timeline::new(0.0, vec![(0.2, LOAD), (0.4, 0.0)])?,
         faults: Vec::new(),
         seed,
-    };
+    })
+}
+
+/// Runs the drive through its scenario.
+pub fn run(seed: u64) -> Result<Outcome<Motor, 4>, bessemer_sim::Error> {
     let settings = settings(&MOTOR);
     let mut drive = Drive::default();
     let mut computer = |[a, b, angle]: &[Reading; 3], target: &f64| {
         drive.step(&settings, *target, [a.value, b.value], angle.value)
     };
-    setup.run(&scenario, &mut computer)
+    setup()?.run(&scenario(seed)?, &mut computer)
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

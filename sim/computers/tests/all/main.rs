@@ -1,0 +1,4 @@
+//! Computers under test, as their users see them.
+
+mod loops;
+mod units;
