@@ -8,7 +8,7 @@
 //! | [`computer`] | the controller under test: a closure, a model, or whatever implements the trait |
 //! | [`scenario`] | goals, disturbances and faults by time |
 //! | [`clock`], [`run`] | periods as whole ticks, and the one order of simultaneous things |
-//! | [`recording`] | named channels with units, as CSV, as MCAP, and as a picture |
+//! | [`recording`] | named channels with units, as CSV, MCAP or Parquet, and as a picture |
 //!
 //! A motor whose speed a PI controller holds, while a load comes and goes:
 //!
@@ -74,6 +74,8 @@ pub mod error;
 #[cfg(feature = "mcap")]
 mod log;
 pub mod noise;
+#[cfg(feature = "parquet")]
+mod parquet;
 pub mod plant;
 #[cfg(feature = "plots")]
 mod plot;

@@ -197,6 +197,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("lowest speed under the load: {lowest:.2} rad/s");
     fs::write("drive.csv", recording.csv())?;
     fs::write("drive.mcap", recording.mcap()?)?;
+    #[cfg(feature = "parquet")]
+    fs::write("drive.parquet", recording.parquet()?)?;
     fs::write("drive.svg", recording.svg(&[&["speed"], &["direct", "quadrature"], &["load"]])?)?;
     Ok(())
 }

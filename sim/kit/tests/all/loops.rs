@@ -204,6 +204,39 @@ fn logs_have_each_number() {
     assert_eq!(all, expected);
 }
 
+/// The file has the bits of each number, and the units.
+#[cfg(feature = "parquet")]
+#[test]
+fn parquet_has_each_number() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::Field;
+
+    let setup = |name: &str| setup([level(name, 4, Quality { noise: 1.0, ..Quality::default() })]);
+    let recording = run(setup("a"), &scenario(0.008));
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("loop.parquet");
+    std::fs::write(&path, recording.parquet().expect("it is written")).expect("a file");
+    let file = SerializedFileReader::new(std::fs::File::open(path).expect("it")).expect("a file");
+    let metadata = file.metadata().file_metadata().key_value_metadata().expect("units").clone();
+    let units: Vec<_> = metadata.iter().map(|it| (it.key.as_str(), it.value.as_deref())).collect();
+    assert_eq!(units[..2], [("unit.a", Some("m")), ("unit.flow", Some("m/s"))]);
+    let rows = file.get_row_iter(None).expect("rows");
+    let rows: Vec<Vec<Field>> = rows
+        .map(|row| row.expect("a row").into_columns().into_iter().map(|it| it.1).collect())
+        .collect();
+    let number = |channel: &str, index: usize| {
+        Field::Double(recording.channel(channel).expect("it is recorded").values()[index])
+    };
+    let expected = [
+        vec![Field::Long(0), number("a", 0), number("flow", 0)],
+        vec![Field::Long(4_000_000), number("a", 1), Field::Null],
+        vec![Field::Long(6_000_000), Field::Null, number("flow", 1)],
+        vec![Field::Long(8_000_000), number("a", 2), Field::Null],
+    ];
+    assert_eq!(rows, expected);
+    let twice = run(setup("time_ns"), &scenario(0.008)).parquet().expect_err("it is refused");
+    assert!(matches!(twice, Error::Twice { .. }), "{twice}");
+}
+
 #[test]
 fn pictures_have_each_curve() {
     let recording = run(setup([level("a", 1, Quality::default())]), &scenario(1.0));
