@@ -1,68 +1,55 @@
-//! Campaigns: a few seeds of each, and what a kill leaves behind.
+//! Campaigns: a few seeds of each, and the committed flights.
 
-use sim::campaign::ledger::{Ledger, outcomes};
-use sim::campaign::outcome::Outcome;
-use sim::campaign::{Kind, fly, tally};
-use std::sync::Mutex;
+use bessemer_campaign::{Campaign, Row, Summary, read};
+use rayon::prelude::*;
+use sim::campaign::{Kind, MODELS, tally};
+use std::fs;
+use std::path::{Path, PathBuf};
 
-fn flown(kind: Kind, seeds: std::ops::Range<u64>) -> Vec<Outcome> {
-    let all = Mutex::new(Vec::new());
-    let seeds: Vec<u64> = seeds.collect();
-    fly(kind, &seeds, |outcome| all.lock().expect("no thread panicked").push(outcome));
-    let mut all = all.into_inner().expect("no thread panicked");
-    all.sort_by_key(|outcome| outcome.seed);
-    all
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
+/// The first flights of each committed file, flown again, have their lines. So the files are results of these models and of
+/// this world: a change of the world that changes a flight needs a new version and new files.
 #[test]
-fn no_flight_of_a_few_is_as_it_must_not_be() {
-    for (kind, seeds) in [(Kind::Spread, 0..6), (Kind::Failures, 0..6)] {
-        for outcome in flown(kind, seeds) {
-            assert_eq!(tally::fault(kind, &outcome), None, "{outcome:?}");
-        }
-    }
-}
-
-#[test]
-fn a_line_is_an_outcome() {
-    for outcome in flown(Kind::Failures, 3..5) {
-        let line = outcome.line();
-        let back = Outcome::of_line(&line).expect("an outcome");
-        assert_eq!(back.line(), line);
-    }
-    assert_eq!(Outcome::of_line("1,nothing,inf"), None);
-}
-
-#[test]
-fn what_a_kill_leaves_is_gone_on_with() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("flights.csv");
-    let all = flown(Kind::Spread, 0..3);
+fn the_committed_flights_are_those_of_these_models() {
+    for (kind, file, seeds) in [(Kind::Spread, "spread", 0..6), (Kind::Failures, "failures", 0..6)]
     {
-        let mut ledger = Ledger::open(&path).expect("a new file");
-        assert!(ledger.known.is_empty());
-        for outcome in &all[..2] {
-            ledger.add(outcome).expect("it is written");
+        let path = root().join(format!("docs/results/{file}.csv"));
+        let table = read(&kind, &[path], None).unwrap_or_else(|error| {
+            panic!("{error}\nfly them again by the commands in docs/results.md, or change the hash if no flight changed")
+        });
+        let flown: Vec<Row> = seeds.into_par_iter().map(|seed| Row::of(&kind, seed)).collect();
+        for row in flown {
+            assert_eq!(row.line(&kind.columns()), table.rows[&row.seed].line(&kind.columns()));
+            assert_eq!(tally::verdict(kind, &row), None);
         }
+        assert_eq!(Summary::of(&kind, &table).expect("names are in order").bad.events, 0);
     }
-    // Killed in the middle of the third line.
-    let whole = std::fs::read_to_string(&path).expect("the file");
-    let cut = format!("{whole}{}", &all[2].line()[..20]);
-    std::fs::write(&path, cut).expect("the file");
-    let mut ledger = Ledger::open(&path).expect("the file");
-    let seeds: Vec<u64> = ledger.known.iter().map(|outcome| outcome.seed).collect();
-    assert_eq!(seeds, [0, 1]);
-    ledger.add(&all[2]).expect("it is written");
-    let text = std::fs::read_to_string(&path).expect("the file");
-    let lines: Vec<String> = outcomes(&text).iter().map(Outcome::line).collect();
-    assert_eq!(lines, all.iter().map(Outcome::line).collect::<Vec<_>>());
 }
 
 #[test]
-fn a_file_of_something_else_is_left_alone() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("thesis.txt");
-    std::fs::write(&path, "chapter 1\n").expect("the file");
-    assert!(Ledger::open(&path).is_err());
-    assert_eq!(std::fs::read_to_string(&path).expect("the file"), "chapter 1\n");
+fn committed_summaries_are_those_of_the_committed_flights() {
+    let files = [
+        (Kind::Spread, "spread"),
+        (Kind::Spread, "spread-fresh"),
+        (Kind::Failures, "failures"),
+        (Kind::Failures, "failures-fresh"),
+    ];
+    for (kind, name) in files {
+        let results = root().join("docs/results");
+        let table = read(&kind, &[results.join(format!("{name}.csv"))], None).expect("flights");
+        let page = fs::read_to_string(results.join(format!("{name}.md"))).expect("a summary");
+        assert_eq!(page.trim_end(), tally::page(kind, &table).trim_end(), "{name}");
+    }
+}
+
+#[test]
+fn the_hash_has_every_file_of_the_models() {
+    let files = fs::read_dir(root().join("models/src")).expect("the models").flatten();
+    let mut files: Vec<String> =
+        files.map(|file| file.file_name().to_string_lossy().into_owned()).collect();
+    files.sort();
+    assert_eq!(files, MODELS.map(|(name, _)| name));
 }

@@ -102,10 +102,14 @@ Examples:
   cargo xtask campaign spread --seeds 0..1000 --file target/spread.csv
   cargo xtask campaign failures --seeds 0..200 --file target/failures.csv
       Stopped and started again, a campaign flies what its file does not hold yet.
-  cargo xtask campaign spread --seeds 250..500 --file shard-2.csv
+  cargo xtask campaign spread --shard 2/4 --file shard-2.csv
       One of four shards, for a scheduler.
   cargo xtask campaign spread --merge shard-1.csv shard-2.csv shard-3.csv shard-4.csv
-      What all shards come to.";
+      What all shards come to.
+  cargo xtask campaign spread --file target/spread.csv --summary target/spread.html
+      Also a page with distributions and the worst seeds.
+
+A file has the hash of the models, and takes no flights of others.";
 
 /// Arguments of `campaign`.
 #[derive(Debug, Args)]
@@ -114,14 +118,23 @@ pub struct Campaign {
     /// Subject of the campaign
     pub kind: Subject,
     /// The seeds, from .. to (without the last)
-    #[arg(long, default_value = "0..1000", value_parser = range)]
-    pub seeds: (u64, u64),
+    #[arg(long, default_value = "0..1000")]
+    pub seeds: String,
+    /// Fly one of several shards of the seeds: 1/4 … 4/4
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<String>,
     /// File that stores the flights, one per line
     #[arg(long, required_unless_present = "merge")]
     pub file: Option<PathBuf>,
     /// Fly nothing: print the results of the flights in these files
-    #[arg(long, num_args = 1.., conflicts_with = "file")]
+    #[arg(long, num_args = 1.., conflicts_with_all = ["file", "shard"])]
     pub merge: Vec<PathBuf>,
+    /// With --merge: read flights of other models, with this hash
+    #[arg(long, value_name = "HASH", requires = "merge")]
+    pub accept: Option<String>,
+    /// Write the summary as a page
+    #[arg(long, value_name = "FILE.html")]
+    pub summary: Option<PathBuf>,
 }
 
 /// Subject of a campaign.
@@ -131,10 +144,4 @@ pub enum Subject {
     Spread,
     /// Something breaks in each: every stop must be true, and none missed
     Failures,
-}
-
-fn range(text: &str) -> Result<(u64, u64), String> {
-    let (from, to) = text.split_once("..").ok_or("write it as 0..1000")?;
-    let number = |text: &str| text.parse::<u64>().map_err(|error| format!("`{text}`: {error}"));
-    Ok((number(from)?, number(to)?))
 }

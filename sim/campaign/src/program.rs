@@ -121,17 +121,7 @@ pub fn perform(campaigns: &[&dyn Campaign], wanted: &Arguments) -> Result<bool, 
             "this program cannot write Parquet\nhelp: build it with the feature `bessemer-campaign/parquet`, as `cargo bessemer campaign --parquet` does".to_owned(),
         ));
     }
-    let (table, text) = if wanted.merge.is_empty() {
-        let path = file(campaign.kind(), wanted)?;
-        let table = complete(campaign, &path, wanted)?;
-        (table, format!("{}: ", path.display()))
-    } else {
-        let table = read(campaign, &wanted.merge, wanted.accept.as_deref())?;
-        if let Some(path) = &wanted.into {
-            merge_into(campaign, path, &table, wanted)?;
-        }
-        (table, String::new())
-    };
+    let table = rows_of(campaign, wanted)?;
     let mut summary = Summary::of(campaign, &table)?;
     if let Some(models) = &wanted.accept {
         summary.models.clone_from(models);
@@ -147,9 +137,25 @@ pub fn perform(campaigns: &[&dyn Campaign], wanted: &Arguments) -> Result<bool, 
         let json = serde_json::to_string_pretty(&summary);
         println!("{}", json.map_err(|error| Error::Argument(error.to_string()))?);
     } else {
-        println!("{text}{}", summary.text());
+        println!("{}", summary.text());
     }
     Ok(summary.bad.events == 0)
+}
+
+/// Runs what the file lacks and returns its rows of the wanted seeds, or merges files.
+///
+/// # Errors
+///
+/// Errors of files and arguments.
+pub fn rows_of(campaign: &dyn Campaign, wanted: &Arguments) -> Result<Table, Error> {
+    if wanted.merge.is_empty() {
+        return complete(campaign, &file(campaign.kind(), wanted)?, wanted);
+    }
+    let table = read(campaign, &wanted.merge, wanted.accept.as_deref())?;
+    if let Some(path) = &wanted.into {
+        merge_into(campaign, path, &table, wanted)?;
+    }
+    Ok(table)
 }
 
 /// Returns the campaign of a name.
@@ -201,6 +207,7 @@ fn complete(campaign: &dyn Campaign, path: &Path, wanted: &Arguments) -> Result<
     })?;
     progress.end();
     table.rows.retain(|seed, _| shard.has(&wanted.seeds, *seed));
+    eprintln!("the rows are in {}", path.display());
     Ok(table)
 }
 

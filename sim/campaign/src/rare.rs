@@ -10,7 +10,9 @@
 
 use crate::campaign::Campaign;
 use crate::error::Error;
-use bessemer_sim::Chance;
+use rand::{RngExt as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::StandardNormal;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -121,20 +123,17 @@ impl Sample {
 }
 
 /// Returns independent normal numbers; they depend on all arguments.
-fn normals(seed: u64, channel: &str, index: u64, count: usize) -> Vec<f64> {
-    let mut chance = Chance::new(seed, channel);
-    let pairs = count.div_ceil(2) as u64;
-    let mut all: Vec<f64> = (0..pairs).flat_map(|n| chance.normal(index * pairs + n).0).collect();
-    all.truncate(count);
-    all
+fn normals(seed: u64, (repetition, level): (u64, usize), run: usize, count: usize) -> Vec<f64> {
+    let mut chance = ChaCha8Rng::seed_from_u64(seed);
+    chance.set_stream(repetition << 48 | (level as u64) << 40 | run as u64);
+    (0..count).map(|_| chance.sample(StandardNormal)).collect()
 }
 
 fn repetition(rare: &dyn Rare, effort: Effort, number: u64) -> Repetition {
     let count = rare.dimensions();
-    let first = format!("{number} first");
     let mut samples: Vec<Sample> = (0..effort.level)
         .into_par_iter()
-        .map(|n| Sample::of(rare, normals(effort.seed, &first, n as u64, count)))
+        .map(|n| Sample::of(rare, normals(effort.seed, (number, 0), n, count)))
         .collect();
     let mut runs = effort.level as u64;
     let mut probability = 1.0;
@@ -149,12 +148,11 @@ fn repetition(rare: &dyn Rare, effort: Effort, number: u64) -> Repetition {
         probability /= CHAIN as f64;
         samples.truncate(begin);
         let bound = samples.last().map_or(0.0, |it| it.severity);
-        let channel = format!("{number} level {level}");
         let chain = |(index, start): (usize, &Sample)| {
             let mut chain = vec![start.clone()];
             for step in 1..CHAIN {
-                let place = (index * CHAIN + step) as u64;
-                let fresh = normals(effort.seed, &channel, place, count);
+                let run = index * CHAIN + step;
+                let fresh = normals(effort.seed, (number, level), run, count);
                 let here = &chain[step - 1];
                 let spread = (1.0 - CORRELATION * CORRELATION).sqrt();
                 let moved = here.normals.iter().zip(&fresh);

@@ -3,20 +3,17 @@
 //! | module | what it says |
 //! |---|---|
 //! | [`dice`] | the scenario of a seed: parameters, trajectory, air, sensors, outages, failures |
-//! | [`outcome`] | how one flight went, as a line of text |
-//! | [`ledger`] | the lines of a campaign in a file: what is there need not be flown again |
-//! | [`tally`] | percentiles and verdicts over all lines |
+//! | [`outcome`] | how one flight went, as the values of a row |
+//! | [`tally`] | percentiles and verdicts over all rows |
 //!
-//! A flight depends on its seed and on nothing else, so a campaign can be cut by seeds, stopped and gone
-//! on with, and run on any number of machines.
+//! A flight depends on its seed and on nothing else. Files, shards and the runs themselves are those of `bessemer-campaign`.
 
 pub mod dice;
-pub mod ledger;
 pub mod outcome;
 pub mod tally;
 
+use bessemer_campaign::{Campaign, Column, Replay, Value, fingerprint};
 use outcome::Outcome;
-use rayon::prelude::*;
 
 /// Subject of a campaign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,6 +23,59 @@ pub enum Kind {
     /// Flights with a failure: every stop must be justified, and none may be missing.
     Failures,
 }
+
+/// Every campaign, for a program of them.
+pub const ALL: [&dyn Campaign; 2] = [&Kind::Spread, &Kind::Failures];
+
+/// Version of the simulated world. Raise it when a flight of the same models changes: a test compares the committed flights.
+const VERSION: u32 = 1;
+
+/// Names and texts of the models' files.
+macro_rules! sources {
+    ($($name:literal)*) => {
+        [$(($name, include_str!(concat!("../../../models/src/", $name)))),*]
+    };
+}
+
+/// Names and texts of all files in `models/src/`.
+pub const MODELS: [(&str, &str); 36] = sources! {
+    "airframe.rs"
+    "attitude.rs"
+    "attitude_filter.rs"
+    "axis_filter.rs"
+    "calibration.rs"
+    "cascade.rs"
+    "clock_monitor.rs"
+    "controller.rs"
+    "crash_predictor.rs"
+    "estimator.rs"
+    "expectation.rs"
+    "feed_forward.rs"
+    "gate.rs"
+    "geometric.rs"
+    "geometry.rs"
+    "height.rs"
+    "horizontal.rs"
+    "lib.rs"
+    "logger.rs"
+    "low_pass.rs"
+    "mixer.rs"
+    "onboard.rs"
+    "packet.rs"
+    "parameters.rs"
+    "plant.rs"
+    "printed.rs"
+    "receiver.rs"
+    "reference_generator.rs"
+    "sender.rs"
+    "shaper.rs"
+    "signals.rs"
+    "siphash.rs"
+    "stuck.rs"
+    "touch_down.rs"
+    "trajectory.rs"
+    "tuning.rs"
+};
 
 impl Kind {
     /// Flies the flight of a seed.
@@ -37,7 +87,41 @@ impl Kind {
     }
 }
 
-/// Flies the seeds on all cores; calls `done` with the result of each flight as it ends, in any order.
-pub fn fly(kind: Kind, seeds: &[u64], done: impl Fn(Outcome) + Sync) {
-    seeds.par_iter().for_each(|seed| done(kind.fly(*seed)));
+impl Campaign for Kind {
+    fn kind(&self) -> &str {
+        match self {
+            Self::Spread => "spread",
+            Self::Failures => "failures",
+        }
+    }
+
+    fn version(&self) -> u32 {
+        VERSION
+    }
+
+    fn models(&self) -> String {
+        fingerprint(&MODELS.map(|(_, text)| text))
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        outcome::columns()
+    }
+
+    fn run(&self, seed: u64) -> Result<Vec<Value>, String> {
+        Ok(self.fly(seed).values())
+    }
+
+    fn fault(&self, row: &[Value]) -> Option<String> {
+        let outcome = Outcome::of(0, row)?;
+        tally::fault(*self, &outcome).map(str::to_owned)
+    }
+
+    fn replay(&self, seed: u64) -> Replay {
+        let flight = match self {
+            Self::Spread => "chance",
+            Self::Failures => "failing",
+        };
+        let command = format!("cargo xtask sim {flight} --seed {seed} --out target/seed-{seed}");
+        Replay { command, link: String::new() }
+    }
 }

@@ -1,4 +1,4 @@
-//! The result of one flight, as figures in one line.
+//! The result of one flight, as the values of a row.
 //!
 //! The envelope refers to the true state, not to the software's estimate. The aircraft leaves it when its tilt,
 //! speed, distance or touch-down speed exceeds a limit.
@@ -7,6 +7,7 @@ use super::dice;
 use crate::computer::Native;
 use crate::scenario::Scenario;
 use crate::voyage::{Moment, follow};
+use bessemer_campaign::{Column, Value, Worst};
 use models::{Alarm, Phase};
 
 /// Largest tilt, rad.
@@ -122,36 +123,61 @@ impl Outcome {
     }
 }
 
-/// The header line of a file of results.
-pub const HEADER: &str = "seed,failure,broke,alarm,stopped,left,height,place,impact,well";
+/// Returns the columns of a row.
+pub fn columns() -> Vec<Column> {
+    let time = |name, about| Column::number(name, "s").about(about).decimals(3).or_infinite();
+    let size = |name, unit, about| {
+        Column::number(name, unit).about(about).decimals(4).worst(Worst::Largest)
+    };
+    vec![
+        Column::text("failure").about("failure that was injected"),
+        time("broke", "time of the failure"),
+        Column::text("alarm").about("alarm that stopped the motors"),
+        time("stopped", "time of the stop"),
+        time("left", "time when the aircraft left the envelope"),
+        size("height", "m", "error of height once steady"),
+        size("place", "m", "distance in the plane once steady"),
+        size("impact", "m/s", "touch-down"),
+        Column::truth("well").about("ended on the ground, motors off, without an alarm"),
+    ]
+}
 
 impl Outcome {
-    /// Formats the result as a line.
-    pub fn line(&self) -> String {
-        let Self { seed, failure, broke, alarm, stopped, left, height, place, impact, well } = self;
-        format!(
-            "{seed},{failure},{broke:.3},{alarm},{stopped:.3},{left:.3},{height:.4},{place:.4},{impact:.4},{well}"
-        )
+    /// Returns the values of the row.
+    pub fn values(self) -> Vec<Value> {
+        vec![
+            self.failure.into(),
+            self.broke.into(),
+            self.alarm.into(),
+            self.stopped.into(),
+            self.left.into(),
+            self.height.into(),
+            self.place.into(),
+            self.impact.into(),
+            self.well.into(),
+        ]
     }
 
-    /// Parses a line; `None` if it is invalid or incomplete.
-    pub fn of_line(line: &str) -> Option<Self> {
-        let parts: Vec<&str> = line.split(',').collect();
-        let [seed, failure, broke, alarm, stopped, left, height, place, impact, well] = parts[..]
+    /// Returns the result that a row has; `None` if the row has no such values.
+    pub fn of(seed: u64, values: &[Value]) -> Option<Self> {
+        use Value::{Number, Text, Truth};
+        let [
+            Text(failure),
+            Number(broke),
+            Text(alarm),
+            Number(stopped),
+            Number(left),
+            Number(height),
+            Number(place),
+            Number(impact),
+            Truth(well),
+        ] = values
         else {
             return None;
         };
-        Some(Self {
-            seed: seed.parse().ok()?,
-            failure: failure.to_owned(),
-            broke: broke.parse().ok()?,
-            alarm: alarm.to_owned(),
-            stopped: stopped.parse().ok()?,
-            left: left.parse().ok()?,
-            height: height.parse().ok()?,
-            place: place.parse().ok()?,
-            impact: impact.parse().ok()?,
-            well: well.parse().ok()?,
-        })
+        let (failure, alarm) = (failure.clone(), alarm.clone());
+        let (broke, stopped, left) = (*broke, *stopped, *left);
+        let (height, place, impact, well) = (*height, *place, *impact, *well);
+        Some(Self { seed, failure, broke, alarm, stopped, left, height, place, impact, well })
     }
 }

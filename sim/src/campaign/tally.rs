@@ -2,6 +2,7 @@
 
 use super::Kind;
 use super::outcome::Outcome;
+use bessemer_campaign::{Row, Table};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
@@ -21,20 +22,27 @@ pub fn fault(kind: Kind, outcome: &Outcome) -> Option<&'static str> {
     }
 }
 
+/// Returns the fault of a flight, or the reason why it has no result.
+pub fn verdict(kind: Kind, row: &Row) -> Option<String> {
+    bessemer_campaign::summary::fault(&kind, row)
+}
+
 /// Formats a Markdown page about a campaign.
-pub fn page(kind: Kind, outcomes: &[Outcome]) -> String {
-    let mut text = String::new();
-    let _ = writeln!(text, "{} flights\n", outcomes.len());
-    text.push_str(&match kind {
-        Kind::Spread => spread(outcomes),
-        Kind::Failures => failures(outcomes),
-    });
-    let mut faults: BTreeMap<&str, Vec<u64>> = BTreeMap::new();
-    for outcome in outcomes {
-        if let Some(fault) = fault(kind, outcome) {
-            faults.entry(fault).or_default().push(outcome.seed);
+pub fn page(kind: Kind, table: &Table) -> String {
+    let mut outcomes = Vec::with_capacity(table.rows.len());
+    let mut faults: BTreeMap<String, Vec<u64>> = BTreeMap::new();
+    for row in table.rows.values() {
+        outcomes.extend(row.result.as_ref().ok().and_then(|it| Outcome::of(row.seed, it)));
+        if let Some(fault) = verdict(kind, row) {
+            faults.entry(fault).or_default().push(row.seed);
         }
     }
+    let mut text = String::new();
+    let _ = writeln!(text, "{} flights\n", table.rows.len());
+    text.push_str(&match kind {
+        Kind::Spread => spread(&outcomes),
+        Kind::Failures => failures(&outcomes),
+    });
     if faults.is_empty() {
         let _ = writeln!(text, "\nnone was as it must not be");
     }

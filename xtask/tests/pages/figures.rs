@@ -3,7 +3,7 @@
 //! Behind a figure stands, for no reader to see, where it comes from: `70 ms<!-- = FILE / KEY / … × 1000 -->`. The file
 //! is named from the root. What a key means depends on the file:
 //! - `.json`: a key of an object, an index of an array, `*` for each element, `key=value` for those that have it;
-//! - `.csv`: a column;
+//! - `.csv`: a column; lines that begin with `#` are none;
 //! - `.md`: the begin of a heading `## …` (if there are several tables), then the first cell of a row, then, unless it is
 //!   the second, the head of a column;
 //! - any other file: the number that follows these words;
@@ -173,7 +173,8 @@ fn is(value: &Value, wanted: &str) -> bool {
 }
 
 fn of_csv(text: &str, keys: &[&str]) -> Result<Vec<f64>, String> {
-    let mut lines = text.lines();
+    // The first line of a campaign's file is a comment for programs.
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     let head: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
     let wanted = keys.first().copied().unwrap_or_default();
     let column = head.iter().position(|it| *it == wanted).ok_or("no such column")?;
