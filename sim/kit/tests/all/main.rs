@@ -4,4 +4,5 @@ mod battery;
 mod drive;
 mod integrators;
 mod loops;
+mod scipy;
 mod sensors;
