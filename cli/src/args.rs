@@ -2,10 +2,14 @@
 //!
 //! Invariant: only data and help texts; nothing is executed here.
 
+mod campaign;
+
 use std::path::PathBuf;
 
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+
+pub use campaign::Campaign;
 
 const STYLES: Styles = Styles::styled()
     .header(AnsiColor::Green.on_default().bold())
@@ -73,6 +77,8 @@ pub enum Task {
     Pack(Pack),
     /// Make a co-simulation unit (FMI 3.0) of an entry point or a component
     Fmu(Fmu),
+    /// Run a simulation very many times by seed, here or on an engine, and summarise what went wrong
+    Campaign(Box<Campaign>),
     /// Describe variables of a linked firmware in ASAP2, for measurement and calibration tools
     A2l(A2l),
     /// Check that this machine and this workspace have everything needed
@@ -497,6 +503,8 @@ mod tests {
         assert!(matches!(board, Ok(Task::Verify(it)) if it.baud == 9600));
         let sizes = parse(&["sizes", "--target", "zynq"]);
         assert!(matches!(sizes, Ok(Task::Sizes(it)) if it.target == [Target::Zynq]));
+        let campaign = parse(&["campaign", "--merge", "a.csv", "b.csv"]);
+        assert!(matches!(campaign, Ok(Task::Campaign(it)) if it.merge.len() == 2));
         assert!(matches!(parse(&["doctor"]), Ok(Task::Doctor(_))));
     }
 

@@ -28,6 +28,24 @@ pub enum Error {
         /// The reason.
         why: &'static str,
     },
+    /// A campaign's program cannot be built or run.
+    #[error("{wrong}")]
+    Campaign {
+        /// The reason.
+        wrong: String,
+    },
+    /// No package has a campaign.
+    #[error("there is no campaign")]
+    NoCampaign {
+        /// The package that the user named.
+        package: Option<String>,
+    },
+    /// Several packages have a campaign.
+    #[error("several packages have a campaign")]
+    WhichCampaign {
+        /// Their names.
+        known: Vec<String>,
+    },
     /// The folder of a new package exists already.
     #[error("`{folder}` exists already")]
     Exists {
@@ -169,6 +187,13 @@ impl Error {
             Error::Bridge(wrong) => wrong.remedy(),
             Error::Name { .. } => "choose another, such as `motor` or `height_loop`".to_owned(),
             Error::Exists { .. } => "choose another name, or remove that folder".to_owned(),
+            Error::NoCampaign { package } => format!(
+                "write {}examples/campaign.rs, whose main calls `bessemer_campaign::main`, as `cargo bessemer new NAME --template vehicle` does",
+                package.as_ref().map_or_else(String::new, |it| format!("`{it}`'s "))
+            ),
+            Error::WhichCampaign { known } => {
+                format!("choose one: `--package {}`", known.join("` or `--package "))
+            }
             Error::NoCheckout { .. } => "pass the folder of your clone".to_owned(),
             Error::NoEntry { known, .. } => format!("choose from {}", known.join(", ")),
             Error::WhichEntry { known } => {
@@ -204,6 +229,7 @@ impl Error {
             Error::Board { .. }
             | Error::File { .. }
             | Error::Compiler { .. }
+            | Error::Campaign { .. }
             | Error::Native { .. } => return None,
         })
     }

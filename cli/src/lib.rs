@@ -10,6 +10,7 @@
 
 pub mod args;
 pub mod asap2;
+pub mod campaign;
 pub mod counterpart;
 pub mod doctor;
 pub mod dossier;

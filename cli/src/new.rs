@@ -47,6 +47,17 @@ fn model(template: Option<Template>) -> [(&'static str, &'static str); 3] {
     [("src/lib.rs", model), ("tests/closed_loop.rs", test), ("firmware/main.c", stub)]
 }
 
+/// Returns the paths and texts of the files that only this template has.
+fn more(template: Option<Template>) -> &'static [(&'static str, &'static str)] {
+    match template {
+        Some(Template::Vehicle) => &[
+            ("tests/vehicle/mod.rs", include_str!("../templates/vehicle/vehicle.rs.in")),
+            ("examples/campaign.rs", include_str!("../templates/vehicle/campaign.rs.in")),
+        ],
+        _ => &[],
+    }
+}
+
 /// The lines that a workspace needs in its own manifest.
 const PROFILE: &str = "
 # The C faults on overflow, so the Rust must, too, in every profile that simulates.
@@ -137,6 +148,7 @@ pub fn run(folder: &Path, wanted: &New) -> Result<String, Error> {
     let profile = if Workspace::of(folder).is_ok() { "" } else { PROFILE };
     let dependency = dependencies(folder, wanted)?;
     let all = FILES.iter().copied().chain(model(wanted.template));
+    let all = all.chain(more(wanted.template).iter().copied());
     let written = all.into_iter().try_for_each(|(path, text)| {
         let path = package.join(path);
         let text = text.replace("@DEPENDENCY@", &dependency).replace("@PROFILE@", profile);
@@ -210,7 +222,8 @@ fn dependencies(folder: &Path, wanted: &New) -> Result<String, Error> {
     let mut lines = line("bessemer", "dsl", "");
     if wanted.template == Some(Template::Vehicle) {
         let simulation = line("bessemer-sim", "sim/kit", ", default-features = false");
-        lines += &format!("\n\n[dev-dependencies]\n{simulation}");
+        let campaign = line("bessemer-campaign", "sim/campaign", "");
+        lines += &format!("\n\n[dev-dependencies]\n{campaign}\n{simulation}");
     }
     Ok(lines)
 }
@@ -294,7 +307,8 @@ mod tests {
         let vehicle = New { template: Some(Template::Vehicle), ..new("b") };
         let lines = dependencies(folder.path(), &vehicle).expect("it is there");
         let simulation = "bessemer-sim = { path = \"../b/sim/kit\", default-features = false }";
-        assert_eq!(lines, format!("{line}\n\n[dev-dependencies]\n{simulation}"));
+        let campaign = "bessemer-campaign = { path = \"../b/sim/campaign\" }";
+        assert_eq!(lines, format!("{line}\n\n[dev-dependencies]\n{campaign}\n{simulation}"));
     }
 
     #[test]

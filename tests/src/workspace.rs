@@ -105,7 +105,7 @@ impl Workspace {
         for folder in ["legs", "sim"] {
             fs::create_dir(workspace.path(folder))?;
         }
-        for linked in ["dsl", "estimation", "blocks", "legs/words", "sim/kit"] {
+        for linked in ["dsl", "estimation", "blocks", "legs/words", "sim/campaign", "sim/kit"] {
             symlink(root.join(linked), workspace.path(linked))?;
         }
         let text = fs::read_to_string(root.join("Cargo.toml"))?;

@@ -1,0 +1,87 @@
+//! The campaign's program as a Python wheel: the compiled program, and a module that runs it by engines.
+//!
+//! The module runs the program as a process of its own. So a run that crashes ends no interpreter, and a wheel needs no
+//! particular version of Python. The format is that of the Python Packaging Authority, "Binary distribution format".
+
+use std::fmt::Write as _;
+use std::io::{Cursor, Write as _};
+use std::path::{Path, PathBuf};
+
+use base64::Engine as _;
+use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+use sha2::{Digest as _, Sha256};
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
+
+use crate::error::Error;
+
+const MODULE: &str = include_str!("../../templates/campaign/module.py");
+
+/// Returns the name of the module.
+pub fn module(package: &str) -> String {
+    format!("{}_campaign", package.replace('-', "_"))
+}
+
+/// Returns the platform of a program that is built here, as wheels name it.
+fn platform() -> String {
+    let processor = std::env::consts::ARCH;
+    match std::env::consts::OS {
+        "macos" if processor == "aarch64" => "macosx_11_0_arm64".to_owned(),
+        "macos" => format!("macosx_11_0_{processor}"),
+        "windows" => "win_amd64".to_owned(),
+        system => format!("{system}_{processor}"),
+    }
+}
+
+/// Writes the wheel into a folder; returns its path.
+///
+/// # Errors
+/// The program cannot be read, or the wheel not written.
+pub fn write(
+    folder: &Path,
+    package: &str,
+    version: &str,
+    program: &Path,
+) -> Result<PathBuf, Error> {
+    let module = module(package);
+    let read = std::fs::read(program);
+    let program = read.map_err(|source| Error::File { path: program.to_owned(), source })?;
+    let tag = format!("py3-none-{}", platform());
+    let path = folder.join(format!("{module}-{version}-{tag}.whl"));
+    let failed = |source| Error::File { path: path.clone(), source };
+    let about = format!("{module}-{version}.dist-info");
+    let metadata = format!(
+        "Metadata-Version: 2.1\nName: {module}\nVersion: {version}\nSummary: The campaign of {package}, compiled.\nRequires-Python: >=3.9\n\
+         Provides-Extra: ray\nRequires-Dist: ray; extra == \"ray\"\nProvides-Extra: dask\nRequires-Dist: dask[distributed]; extra == \"dask\"\n"
+    );
+    let wheel =
+        format!("Wheel-Version: 1.0\nGenerator: bessemer\nRoot-Is-Purelib: false\nTag: {tag}\n");
+    let files: [(String, &[u8], u32); 5] = [
+        (format!("{module}/__init__.py"), MODULE.as_bytes(), 0o644),
+        (format!("{module}/__main__.py"), b"from . import main\n\nmain()\n", 0o644),
+        (format!("{module}/program"), &program, 0o755),
+        (format!("{about}/METADATA"), metadata.as_bytes(), 0o644),
+        (format!("{about}/WHEEL"), wheel.as_bytes(), 0o644),
+    ];
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    let mut record = String::new();
+    let mut add = |name: &str, bytes: &[u8], mode: u32| {
+        let options = SimpleFileOptions::default()
+            .compression_method(zip::CompressionMethod::Stored)
+            .unix_permissions(mode);
+        zip.start_file(name, options)?;
+        zip.write_all(bytes)
+    };
+    for (name, bytes, mode) in &files {
+        add(name, bytes, *mode).map_err(failed)?;
+        let hash = URL_SAFE_NO_PAD.encode(Sha256::digest(bytes));
+        let _ = writeln!(record, "{name},sha256={hash},{}", bytes.len());
+    }
+    let name = format!("{about}/RECORD");
+    let _ = writeln!(record, "{name},,");
+    add(&name, record.as_bytes(), 0o644).map_err(failed)?;
+    let bytes = zip.finish().map_err(|error| failed(error.into()))?.into_inner();
+    std::fs::create_dir_all(folder).map_err(failed)?;
+    std::fs::write(&path, bytes).map_err(failed)?;
+    Ok(path)
+}
