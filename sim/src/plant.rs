@@ -2,6 +2,7 @@
 //!
 //! Knows loads, not motors; and nothing of who commands them.
 
+use bessemer_sim::runge_kutta;
 use nalgebra::{Matrix3, SVector, Vector3};
 
 /// Acceleration of gravity, m/s².
@@ -70,13 +71,8 @@ impl State {
 
     /// Returns the state after `period` seconds: one step of RK4 with constant loads, limited by the floor.
     pub fn after(&self, body: &Body, loads: &Loads, period: f64) -> State {
-        let start = self.vector();
-        let slope = |at: SVector<f64, 12>| State::from_vector(&at).slope(body, loads);
-        let k1 = slope(start);
-        let k2 = slope(start + k1 * (period / 2.0));
-        let k3 = slope(start + k2 * (period / 2.0));
-        let k4 = slope(start + k3 * period);
-        let end = start + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (period / 6.0);
+        let slope = |_, at: &SVector<f64, 12>| State::from_vector(at).slope(body, loads);
+        let end = runge_kutta(slope, 0.0, &self.vector(), period);
         State::from_vector(&end).above_floor()
     }
 

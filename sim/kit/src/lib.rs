@@ -9,6 +9,7 @@
 //! | [`scenario`] | goals, disturbances and faults by time |
 //! | [`clock`], [`run`] | periods as whole ticks, and the one order of simultaneous things |
 //! | [`recording`] | named channels with units, as CSV, MCAP or Parquet, and as a picture |
+//! | `plot` | pictures of any points; with the feature `plots` |
 //!
 //! A motor whose speed a PI controller holds, while a load comes and goes:
 //!
@@ -78,7 +79,7 @@ pub mod noise;
 mod parquet;
 pub mod plant;
 #[cfg(feature = "plots")]
-mod plot;
+pub mod plot;
 pub mod recording;
 pub mod run;
 pub mod scenario;
@@ -90,11 +91,12 @@ pub mod system;
 pub use clock::{Period, Tick};
 pub use computer::{Computer, Failure};
 pub use error::Error;
-pub use noise::Chance;
+pub use noise::{Chance, Stream};
 pub use plant::{Input, InputOf, Plant, View};
 pub use recording::{Recorded, Recording};
 pub use run::{Outcome, Setup};
 pub use scenario::{Fault, FaultKind, Scenario, Timeline};
 pub use sensor::{Channel, Quality, Reading, Sensor, Signal};
 pub use solver::{Integrator, Occurrence, Solver, Tolerances};
+pub use steps::runge_kutta;
 pub use system::{State, System};

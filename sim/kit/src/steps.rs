@@ -57,7 +57,7 @@ pub(crate) struct Step<const N: usize> {
 impl<const N: usize> Step<N> {
     /// Takes Euler's step y + h f(t, y), of order 1; `first` is the derivative at the start.
     pub(crate) fn euler(state: &State<N>, first: State<N>, length: f64) -> Self {
-        Self::fixed(state, first, length, first)
+        Self::fixed(state, first, length, state + first * length)
     }
 
     /// Takes a step of the classical Runge–Kutta method, of order 4; `first` is the derivative at the start.
@@ -68,16 +68,12 @@ impl<const N: usize> Step<N> {
         first: State<N>,
         length: f64,
     ) -> Self {
-        let half = 0.5 * length;
-        let second = system.derivative(time + half, &(state + first * half));
-        let third = system.derivative(time + half, &(state + second * half));
-        let fourth = system.derivative(time + length, &(state + third * length));
-        let mean = (first + (second + third) * 2.0 + fourth) / 6.0;
-        Self::fixed(state, first, length, mean)
+        let derivative = |time, state: &State<N>| system.derivative(time, state);
+        let end = classical(derivative, time, state, first, length);
+        Self::fixed(state, first, length, end)
     }
 
-    fn fixed(state: &State<N>, first: State<N>, length: f64, mean: State<N>) -> Self {
-        let end = state + mean * length;
+    fn fixed(state: &State<N>, first: State<N>, length: f64, end: State<N>) -> Self {
         Self { start: *state, first, length, end, error: State::zeros(), stages: None }
     }
 
@@ -107,6 +103,41 @@ impl<const N: usize> Step<N> {
         };
         Dense::new([self.start, self.end], [self.first, last], self.length, fourth)
     }
+}
+
+/// Takes one step of the classical Runge–Kutta method, of order 4, of a length in s, and returns the state after it.
+///
+/// This is the step of [`Solver::RungeKutta`](crate::Solver::RungeKutta), without events: for a loop of your own whose plant is held or
+/// limited between steps.
+///
+/// ```
+/// use bessemer_sim::{State, runge_kutta};
+/// let state = runge_kutta(|_, state| -state, 0.0, &State::from([1.0]), 0.1);
+/// assert!((state[0] - (-0.1_f64).exp()).abs() < 1e-7);
+/// ```
+pub fn runge_kutta<const N: usize>(
+    derivative: impl Fn(f64, &State<N>) -> State<N>,
+    time: f64,
+    state: &State<N>,
+    length: f64,
+) -> State<N> {
+    let first = derivative(time, state);
+    classical(derivative, time, state, first, length)
+}
+
+/// Takes the step of [`runge_kutta`] with a known first derivative.
+fn classical<const N: usize>(
+    derivative: impl Fn(f64, &State<N>) -> State<N>,
+    time: f64,
+    state: &State<N>,
+    first: State<N>,
+    length: f64,
+) -> State<N> {
+    let half = 0.5 * length;
+    let second = derivative(time + half, &(state + first * half));
+    let third = derivative(time + half, &(state + second * half));
+    let fourth = derivative(time + length, &(state + third * length));
+    state + (first + second * 2.0 + third * 2.0 + fourth) * (length / 6.0)
 }
 
 /// Returns the weighted sum of the first stages.

@@ -2,10 +2,10 @@
 //! well-posed one.
 
 use super::{Outcome, write};
+use bessemer_sim::plot::{Axes, Line, draw};
 use indicatif::{ProgressBar, ProgressStyle};
 use models::Airframe;
 use rayon::prelude::*;
-use sim::figures::{Axes, Line, draw};
 use sim::identify::fit::{Fit, fit};
 use sim::identify::known::{LAG, log_of, unknown_hover, worst_off};
 use sim::identify::logged::Logged;
@@ -144,14 +144,13 @@ fn pictures(
         name: name.to_owned(),
         points: history.iter().enumerate().map(|(n, cost)| (n as f64, *cost)).collect(),
         dots: false,
-        error: false,
     };
     let mut lines = Vec::new();
     for (name, found) in [("four coefficients", &results.four), ("one", &results.one)] {
         lines.extend(found.as_ref().map(|found| line(name, &found.history)));
     }
     if !lines.is_empty() {
-        let axes = [Axes { label: "best cost J".into(), lines }];
+        let axes = [Axes { label: "best cost J".into(), lines, scale_from: None }];
         let title = "convergence of the thesis' swarm (thesis, fig. 5.2)";
         write(&folder.join("identify-convergence.svg"), draw(title, "iteration", &axes)?)?;
     }
@@ -168,7 +167,6 @@ fn pictures(
             })
             .collect(),
         dots: false,
-        error: false,
     };
     let fitted = with_coefficients(sheet, &results.fit.coefficients);
     let model = replay::flown(logged, &fitted);
@@ -180,6 +178,7 @@ fn pictures(
             curve("model, restarted", &restarted, output),
             curve("model, open loop", &model, output),
         ],
+        scale_from: None,
     };
     let axes = [
         panel("altitude, m", 2),
