@@ -8,7 +8,7 @@ use crate::channels::{TOPICS, Topic};
 use crate::plant::rotation;
 use crate::scenario::LEAD;
 use crate::voyage::{Moment, Voyage};
-use mcap::records::MessageHeader;
+use bessemer_sim::log::{self, McapError};
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use serde_json::{Map, Number, Value, json};
 use std::collections::BTreeMap;
@@ -35,7 +35,7 @@ pub enum Error {
         /// The file.
         path: String,
         /// Error of the file.
-        source: mcap::McapError,
+        source: McapError,
     },
     /// The file lacks a signal or a description.
     #[error("`{path}` has no {what}; record it with `cargo xtask sim FLIGHT --out FOLDER`")]
@@ -71,7 +71,7 @@ pub fn csv(voyage: &Voyage) -> String {
 /// # Errors
 ///
 /// The message of the writer.
-pub fn mcap(voyage: &Voyage, about: &BTreeMap<String, String>) -> Result<Vec<u8>, mcap::McapError> {
+pub fn mcap(voyage: &Voyage, about: &BTreeMap<String, String>) -> Result<Vec<u8>, McapError> {
     let mut bytes = Vec::new();
     let mut writer = Writer::new(Cursor::new(&mut bytes), about)?;
     for moment in &voyage.moments {
@@ -83,10 +83,9 @@ pub fn mcap(voyage: &Voyage, about: &BTreeMap<String, String>) -> Result<Vec<u8>
 
 /// Writes an MCAP file moment by moment.
 pub struct Writer<W: Write + Seek> {
-    writer: mcap::Writer<W>,
-    channels: Vec<u16>,
-    raw: BTreeMap<String, u16>,
-    about: BTreeMap<String, String>,
+    log: log::Log<W>,
+    channels: Vec<log::Topic>,
+    raw: BTreeMap<String, log::Topic>,
     sequence: u32,
 }
 
@@ -96,18 +95,11 @@ impl<W: Write + Seek> Writer<W> {
     /// # Errors
     ///
     /// The message of the writer.
-    pub fn new(sink: W, about: &BTreeMap<String, String>) -> Result<Self, mcap::McapError> {
-        let options = mcap::WriteOptions::new()
-            .compression(Some(mcap::Compression::Lz4))
-            .profile("")
-            .library("bessemer sim");
-        let mut writer = options.create(sink)?;
-        let mut ids = Vec::new();
-        for Channel { topic, schema, text } in channels() {
-            let schema = writer.add_schema(&schema, "jsonschema", text.as_bytes())?;
-            ids.push(writer.add_channel(schema, &topic, "json", about)?);
-        }
-        Ok(Self { writer, channels: ids, raw: BTreeMap::new(), about: about.clone(), sequence: 0 })
+    pub fn new(sink: W, about: &BTreeMap<String, String>) -> Result<Self, McapError> {
+        let mut log = log::Log::new(sink, about)?;
+        let all = channels().map(|it| log.json(&it.topic, &it.schema, &it.text));
+        let channels = all.collect::<Result<_, _>>()?;
+        Ok(Self { log, channels, raw: BTreeMap::new(), sequence: 0 })
     }
 
     /// Adds a topic of bytes in a private format; `about` describes them.
@@ -115,10 +107,8 @@ impl<W: Write + Seek> Writer<W> {
     /// # Errors
     ///
     /// The message of the writer.
-    pub fn raw(&mut self, topic: &str, encoding: &str, about: &str) -> Result<(), mcap::McapError> {
-        let schema = self.writer.add_schema(encoding, encoding, about.as_bytes())?;
-        let channel = self.writer.add_channel(schema, topic, encoding, &self.about)?;
-        self.raw.insert(topic.to_owned(), channel);
+    pub fn raw(&mut self, topic: &str, encoding: &str, about: &str) -> Result<(), McapError> {
+        self.raw.insert(topic.to_owned(), self.log.raw(topic, encoding, about)?);
         Ok(())
     }
 
@@ -126,10 +116,8 @@ impl<W: Write + Seek> Writer<W> {
     ///
     /// # Errors
     /// What the writer said.
-    pub fn json(&mut self, topic: &str, name: &str, schema: &str) -> Result<(), mcap::McapError> {
-        let schema = self.writer.add_schema(name, "jsonschema", schema.as_bytes())?;
-        let channel = self.writer.add_channel(schema, topic, "json", &self.about)?;
-        self.raw.insert(topic.to_owned(), channel);
+    pub fn json(&mut self, topic: &str, name: &str, schema: &str) -> Result<(), McapError> {
+        self.raw.insert(topic.to_owned(), self.log.json(topic, name, schema)?);
         Ok(())
     }
 
@@ -138,10 +126,10 @@ impl<W: Write + Seek> Writer<W> {
     /// # Errors
     ///
     /// The message of the writer.
-    pub fn moment(&mut self, moment: &Moment) -> Result<(), mcap::McapError> {
-        for (channel, message) in self.channels.iter().zip(messages(moment)) {
-            let header = header(*channel, self.sequence, moment.time);
-            self.writer.write_to_known_channel(&header, message.as_bytes())?;
+    pub fn moment(&mut self, moment: &Moment) -> Result<(), McapError> {
+        let time = log_time(moment.time);
+        for (topic, message) in self.channels.iter().zip(messages(moment)) {
+            self.log.write(*topic, self.sequence, time, message.as_bytes())?;
         }
         self.sequence = self.sequence.wrapping_add(1);
         Ok(())
@@ -152,10 +140,11 @@ impl<W: Write + Seek> Writer<W> {
     /// # Errors
     ///
     /// The message of the writer.
-    pub fn bytes(&mut self, topic: &str, time: f64, bytes: &[u8]) -> Result<(), mcap::McapError> {
-        let Some(channel) = self.raw.get(topic) else { return Ok(()) };
-        let header = header(*channel, self.sequence, time);
-        self.writer.write_to_known_channel(&header, bytes)
+    pub fn bytes(&mut self, topic: &str, time: f64, bytes: &[u8]) -> Result<(), McapError> {
+        match self.raw.get(topic) {
+            Some(topic) => self.log.write(*topic, self.sequence, log_time(time), bytes),
+            None => Ok(()),
+        }
     }
 
     /// Finishes the file.
@@ -163,8 +152,8 @@ impl<W: Write + Seek> Writer<W> {
     /// # Errors
     ///
     /// The message of the writer.
-    pub fn finish(mut self) -> Result<(), mcap::McapError> {
-        self.writer.finish().map(drop)
+    pub fn finish(self) -> Result<(), McapError> {
+        self.log.finish()
     }
 }
 
@@ -206,11 +195,6 @@ pub fn messages(moment: &Moment) -> impl Iterator<Item = String> + '_ {
 /// Converts a time of a flight, s, to the time of recordings, ns.
 pub fn log_time(time: f64) -> u64 {
     ((time + LEAD) * 1e9).round() as u64
-}
-
-fn header(channel_id: u16, sequence: u32, time: f64) -> MessageHeader {
-    let log_time = log_time(time);
-    MessageHeader { channel_id, sequence, log_time, publish_time: log_time }
 }
 
 /// The fields of Foxglove's schema of a pose that are used here.

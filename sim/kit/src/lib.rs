@@ -10,6 +10,7 @@
 //! | [`clock`], [`run`] | periods as whole ticks, and the one order of simultaneous things |
 //! | [`recording`] | named channels with units, as CSV, MCAP or Parquet, and as a picture |
 //! | `plot` | pictures of any points; with the feature `plots` |
+//! | `log` | MCAP files of any topics; with the feature `mcap` |
 //!
 //! A motor whose speed a PI controller holds, while a load comes and goes:
 //!
@@ -73,7 +74,7 @@ pub mod computer;
 mod dense;
 pub mod error;
 #[cfg(feature = "mcap")]
-mod log;
+pub mod log;
 pub mod noise;
 #[cfg(feature = "parquet")]
 mod parquet;

@@ -1,18 +1,92 @@
-//! Recordings as MCAP files, which Foxglove and PlotJuggler open.
+//! MCAP files, which Foxglove and PlotJuggler open: of a recording, or of any topics message by message.
 //!
-//! Each channel is a topic `/name` of JSON messages `{"value": 1.5}` with a schema. JSON has no NaN and no infinity: they are `null`.
+//! Knows no simulation; times are in ns.
 
 use std::collections::BTreeMap;
-use std::io::Cursor;
+use std::io::{Cursor, Seek, Write};
 
+pub use mcap::McapError;
 use mcap::records::MessageHeader;
-use mcap::{Compression, McapError, WriteOptions};
+use mcap::{Compression, WriteOptions};
 
 use crate::error::Error;
 use crate::recording::{Recorded, Recording};
 
+/// Topic of a [`Log`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Topic(u16);
+
+/// Writer of an MCAP file, compressed by LZ4. A program that is killed loses the chunk that it was writing.
+pub struct Log<W: Write + Seek> {
+    writer: mcap::Writer<W>,
+    metadata: BTreeMap<String, String>,
+}
+
+impl<W: Write + Seek> Log<W> {
+    /// Begins a file; each of its topics has the metadata.
+    ///
+    /// # Errors
+    ///
+    /// The sink fails.
+    pub fn new(sink: W, metadata: &BTreeMap<String, String>) -> Result<Self, McapError> {
+        let options = WriteOptions::new()
+            .compression(Some(Compression::Lz4))
+            .profile("")
+            .library(concat!("bessemer-sim ", env!("CARGO_PKG_VERSION")));
+        Ok(Self { writer: options.create(sink)?, metadata: metadata.clone() })
+    }
+
+    /// Adds a topic of JSON messages with a JSON schema of a name.
+    ///
+    /// # Errors
+    ///
+    /// The sink fails.
+    pub fn json(&mut self, topic: &str, name: &str, schema: &str) -> Result<Topic, McapError> {
+        let schema = self.writer.add_schema(name, "jsonschema", schema.as_bytes())?;
+        Ok(Topic(self.writer.add_channel(schema, topic, "json", &self.metadata)?))
+    }
+
+    /// Adds a topic of bytes in a format of your own; `about` describes it.
+    ///
+    /// # Errors
+    ///
+    /// The sink fails.
+    pub fn raw(&mut self, topic: &str, format: &str, about: &str) -> Result<Topic, McapError> {
+        let schema = self.writer.add_schema(format, format, about.as_bytes())?;
+        Ok(Topic(self.writer.add_channel(schema, topic, format, &self.metadata)?))
+    }
+
+    /// Writes a message with its number and its time, ns.
+    ///
+    /// # Errors
+    ///
+    /// The sink fails.
+    pub fn write(
+        &mut self,
+        topic: Topic,
+        sequence: u32,
+        time: u64,
+        message: &[u8],
+    ) -> Result<(), McapError> {
+        let (channel_id, log_time, publish_time) = (topic.0, time, time);
+        let header = MessageHeader { channel_id, sequence, log_time, publish_time };
+        self.writer.write_to_known_channel(&header, message)
+    }
+
+    /// Finishes the file: a reader needs its end.
+    ///
+    /// # Errors
+    ///
+    /// The sink fails.
+    pub fn finish(mut self) -> Result<(), McapError> {
+        self.writer.finish().map(drop)
+    }
+}
+
 impl Recording {
     /// Formats the recording as an MCAP file, compressed by LZ4, with messages in order of time.
+    ///
+    /// Each channel is a topic `/name` of JSON messages `{"value": 1.5}` with a schema. JSON has no NaN and no infinity: they are `null`.
     ///
     /// # Errors
     ///
@@ -23,30 +97,23 @@ impl Recording {
 
     fn written(&self) -> Result<Vec<u8>, McapError> {
         let mut bytes = Vec::new();
-        let options = WriteOptions::new()
-            .compression(Some(Compression::Lz4))
-            .profile("")
-            .library(concat!("bessemer-sim ", env!("CARGO_PKG_VERSION")));
-        let mut writer = options.create(Cursor::new(&mut bytes))?;
+        let mut log = Log::new(Cursor::new(&mut bytes), &BTreeMap::new())?;
         let mut topics = Vec::new();
         for channel in self.channels() {
-            let schema =
-                writer.add_schema(channel.name(), "jsonschema", schema(channel).as_bytes())?;
-            let topic = format!("/{}", channel.name());
-            topics.push(writer.add_channel(schema, &topic, "json", &BTreeMap::new())?);
+            topics.push(log.json(
+                &format!("/{}", channel.name()),
+                channel.name(),
+                &schema(channel),
+            )?);
         }
-        for (sequence, (log_time, samples)) in (0_u32..).zip(self.rows()) {
-            for (&channel_id, value) in topics.iter().zip(samples) {
+        for (sequence, (time, samples)) in (0_u32..).zip(self.rows()) {
+            for (topic, value) in topics.iter().zip(samples) {
                 let Some(value) = value else { continue };
                 let text = if value.is_finite() { value.to_string() } else { "null".to_owned() };
-                let header =
-                    MessageHeader { channel_id, sequence, log_time, publish_time: log_time };
-                writer
-                    .write_to_known_channel(&header, format!("{{\"value\":{text}}}").as_bytes())?;
+                log.write(*topic, sequence, time, format!("{{\"value\":{text}}}").as_bytes())?;
             }
         }
-        writer.finish()?;
-        drop(writer);
+        log.finish()?;
         Ok(bytes)
     }
 }
