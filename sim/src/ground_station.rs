@@ -241,12 +241,27 @@ pub fn unframed(bytes: &[u8]) -> Option<(u8, &[u8])> {
     (sound && whole).then(|| (body[2], &body[6..]))
 }
 
-/// Computes CRC-16/CCITT bit by bit, from the most significant bit.
+/// Remainders of CRC-16/CCITT for each byte.
+const REMAINDERS: [u16; 256] = {
+    let mut all = [0; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        let mut sum = (byte as u16) << 8;
+        let mut bit = 0;
+        while bit < 8 {
+            sum = if sum >> 15 == 1 { (sum << 1) ^ 0x1021 } else { sum << 1 };
+            bit += 1;
+        }
+        all[byte] = sum;
+        byte += 1;
+    }
+    all
+};
+
+/// Computes CRC-16/CCITT byte by byte, from the most significant bit.
 fn crc(bytes: &[u8]) -> u16 {
-    let step = |sum: u16| if sum >> 15 == 1 { (sum << 1) ^ 0x1021 } else { sum << 1 };
-    bytes
-        .iter()
-        .fold(0xFFFF, |sum, byte| (0..8).fold(sum ^ u16::from(*byte) << 8, |sum, _| step(sum)))
+    let step = |sum: u16, byte: &u8| (sum << 8) ^ REMAINDERS[usize::from((sum >> 8) as u8 ^ byte)];
+    bytes.iter().fold(0xFFFF, step)
 }
 
 fn numbers(values: &[f64]) -> Vec<u8> {

@@ -77,13 +77,25 @@ impl State {
     }
 
     /// Derivative of every state (thesis, eqs. (2.17), (2.23), (2.24), (2.28), (2.29)).
+    ///
+    /// Sines take most of its time, so each is computed once, and of the rotation only the column that the thrust needs. The
+    /// bits are those of [`rotation`] and [`angle_rates`].
     fn slope(&self, body: &Body, loads: &Loads) -> SVector<f64, 12> {
-        let push = rotation(&self.angles) * Vector3::new(0.0, 0.0, loads.thrust) + loads.wind;
+        let (s1, c1) = self.angles.x.sin_cos();
+        let (s2, c2) = self.angles.y.sin_cos();
+        let (s3, c3) = self.angles.z.sin_cos();
+        let push = Vector3::new(-s2, s1 * c2, c1 * c2) * loads.thrust + loads.wind;
+        let along = c3 * self.rates.x + s3 * self.rates.y;
+        let angles = Vector3::new(
+            -along / c2,
+            s3 * self.rates.x - c3 * self.rates.y,
+            -self.angles.y.tan() * along - self.rates.z,
+        );
         let momentum = body.inertia.component_mul(&self.rates);
         let turn = loads.torque - self.rates.cross(&momentum);
         State {
             position: self.velocity,
-            angles: angle_rates(&self.angles, &self.rates),
+            angles,
             velocity: push / body.mass - Vector3::new(0.0, 0.0, GRAVITY),
             rates: turn.component_div(&body.inertia),
         }
