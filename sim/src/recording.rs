@@ -8,11 +8,11 @@ use crate::channels::{TOPICS, Topic};
 use crate::plant::rotation;
 use crate::scenario::LEAD;
 use crate::voyage::{Moment, Voyage};
+use bessemer_sim::Recording;
 use bessemer_sim::log::{self, McapError};
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use serde_json::{Map, Number, Value, json};
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::io::{Cursor, Read, Seek, Write};
 use std::path::Path;
 
@@ -47,23 +47,36 @@ pub enum Error {
     },
 }
 
-/// Formats a flight as comma-separated values: a header `topic.signal [unit]`, and a line for each period.
-pub fn csv(voyage: &Voyage) -> String {
-    let mut text = String::from("time [s]");
+/// Returns every signal of a flight as a channel `topic.signal`. Times in s count from take-off.
+///
+/// # Errors
+///
+/// A name or a unit that some format cannot write: a defect of [`TOPICS`].
+pub fn recording(voyage: &Voyage) -> Result<Recording, bessemer_sim::Error> {
+    let mut recording = Recording::new(LEAD)?;
+    let mut channels = Vec::new();
     for topic in TOPICS {
         for signal in topic.signals {
-            let _ = write!(text, ",{}.{} [{}]", topic.name, signal.name, signal.unit);
+            let unit = if signal.unit.is_empty() { "1" } else { signal.unit };
+            channels.push(recording.add(&format!("{}.{}", topic.name, signal.name), unit)?);
         }
     }
-    text.push('\n');
     for moment in &voyage.moments {
-        let _ = write!(text, "{:.3}", moment.time);
-        for signal in TOPICS.iter().flat_map(|topic| topic.signals) {
-            let _ = write!(text, ",{}", (signal.value)(moment));
+        let signals = TOPICS.iter().flat_map(|topic| topic.signals);
+        for (channel, signal) in channels.iter().zip(signals) {
+            recording.sample(*channel, log_time(moment.time), (signal.value)(moment))?;
         }
-        text.push('\n');
     }
-    text
+    Ok(recording)
+}
+
+/// Formats a flight as comma-separated values: a header `topic.signal [unit]`, and a line for each period.
+///
+/// # Errors
+///
+/// As of [`recording`].
+pub fn csv(voyage: &Voyage) -> Result<String, bessemer_sim::Error> {
+    Ok(recording(voyage)?.csv())
 }
 
 /// Formats a flight as an MCAP file; `about` describes the flight.

@@ -74,11 +74,12 @@ fn a_cut_off_file_and_another_file_are_told() {
 #[test]
 fn csv_has_a_line_for_each_period() {
     let voyage = short();
-    let text = csv(&voyage);
+    let text = csv(&voyage).expect("it is written");
     let mut lines = text.lines();
     let columns = lines.next().expect("a header").split(',').count();
     assert_eq!(lines.clone().count(), voyage.moments.len());
-    assert!(lines.all(|line| line.split(',').count() == columns));
+    assert!(lines.clone().all(|line| line.split(',').count() == columns));
+    assert!(lines.next().is_some_and(|line| line.starts_with("-1.000000000,")), "before take-off");
 }
 
 #[test]

@@ -45,6 +45,16 @@ pub enum Error {
         /// The text.
         text: String,
     },
+    /// A sample is not after its channel's last one.
+    #[error(
+        "the sample of `{name}` at {time} s is not after the one before it; record samples in order of time, each time once"
+    )]
+    Late {
+        /// Name of the channel.
+        name: String,
+        /// Time of the sample, s.
+        time: f64,
+    },
     /// No channel has this name.
     #[error("no channel has the name `{name}`; the channels are {known}")]
     Unknown {

@@ -113,7 +113,7 @@ pub fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
 
 fn points(curve: &Recorded) -> Vec<(f64, f64)> {
     let all = curve.times().iter().zip(curve.values());
-    thinned(&all.map(|(time, value)| (*time as f64 / 1e9, *value)).collect::<Vec<_>>())
+    thinned(&all.map(|(time, value)| (curve.seconds(*time), *value)).collect::<Vec<_>>())
 }
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;

@@ -9,7 +9,7 @@ use crate::clock::{Period, Tick};
 use crate::computer::Computer;
 use crate::error::{Error, positive};
 use crate::plant::{Input, InputOf, Plant, View};
-use crate::recording::{Recorded, Recording, check_text};
+use crate::recording::Recording;
 use crate::scenario::Scenario;
 use crate::sensor::{Channel, Reading, Sampler, Signal};
 use crate::solver::{Integrator, Occurrence, Solver};
@@ -155,17 +155,11 @@ impl<P: Plant<N>, const N: usize, const S: usize> Setup<P, N, S> {
     /// Returns an empty recording of the sensors and the probes.
     fn recording(&self) -> Result<Recording, Error> {
         let sensors = self.sensors.iter().map(|channel| &channel.signal);
-        let mut names = BTreeSet::new();
-        let mut channels = Vec::new();
+        let mut recording = Recording::default();
         for signal in sensors.chain(&self.probes) {
-            check_text(&signal.name)?;
-            check_text(&signal.unit)?;
-            if !names.insert(signal.name.as_str()) {
-                return Err(Error::Twice { name: signal.name.clone() });
-            }
-            channels.push(Recorded::new(&signal.name, &signal.unit));
+            recording.add(&signal.name, &signal.unit)?;
         }
-        Ok(Recording { channels })
+        Ok(recording)
     }
 
     /// Returns the ticks at which the scenario changes something.

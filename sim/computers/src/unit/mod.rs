@@ -71,7 +71,11 @@ impl Unit {
             return Err(wrong(format!("its step is {step} s, not {period} s; pass that period")));
         }
         let Description { library, token, inputs, outputs, .. } = description;
-        let platform = format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS);
+        let system = match std::env::consts::OS {
+            "macos" => "darwin",
+            other => other,
+        };
+        let platform = format!("{}-{system}", std::env::consts::ARCH);
         let ending = std::env::consts::DLL_SUFFIX;
         let binary = files.join("binaries").join(&platform).join(format!("{library}{ending}"));
         if !binary.is_file() {

@@ -1,7 +1,7 @@
 //! The loop of the drive example around each computer: the bits are those of the Rust.
 
 #[path = "../../../kit/examples/drive/main.rs"]
-#[allow(dead_code)]
+#[allow(dead_code, unexpected_cfgs)]
 mod example;
 
 use std::fs;

@@ -179,6 +179,35 @@ fn tables_have_each_number() {
     assert_eq!(Some(a), recording.channel("a").expect("it is recorded").last());
 }
 
+/// A loop of one's own records, too; times in s count from behind the lead.
+#[test]
+fn a_recording_may_be_ones_own() {
+    let mut recording = Recording::new(0.25).expect("a lead");
+    let channels = ["a", "b"].map(|name| recording.add(name, "1").expect("a channel"));
+    for (channel, time, value) in [(0, 0, 1.0), (1, 0, 2.0), (1, 250_000_000, f64::NAN)] {
+        recording.sample(channels[channel], time, value).expect("it is in order");
+    }
+    recording.sample(channels[0], 500_000_000, -1.5).expect("it is in order");
+    let csv = "time [s],a [1],b [1]\n-0.250000000,1,2\n0.000000000,,NaN\n0.250000000,-1.5,\n";
+    assert_eq!(recording.csv(), csv);
+    let a = recording.channel("a").expect("it is recorded");
+    assert_eq!((a.between(-0.25, 0.0), a.between(0.1, 0.25)), (&[1.0][..], &[-1.5][..]));
+    let errors = [
+        (recording.add("a", "1").expect_err("refused"), "two channels have the name `a`"),
+        (recording.add("c", "").expect_err("refused"), "`` cannot name a channel or a unit"),
+        (
+            recording.sample(0, 500_000_000, 0.0).expect_err("refused"),
+            "the sample of `a` at 0.25 s",
+        ),
+        (recording.sample(2, 0, 0.0).expect_err("refused"), "no channel has the name `2`"),
+        (Recording::new(f64::NAN).expect_err("refused"), "`lead` is NaN"),
+    ];
+    for (error, expected) in errors {
+        let error = error.to_string();
+        assert!(error.starts_with(expected) && error.contains(';'), "{error}");
+    }
+}
+
 #[test]
 fn logs_have_each_number() {
     let recording = run(setup([level("a", 4, Quality::default())]), &scenario(0.008));

@@ -192,7 +192,7 @@ fn record(
         ("seed".to_owned(), seed.to_string()),
     ]);
     let file = |ending: &str| folder.join(format!("{}{ending}", flight.name));
-    write(&file(".csv"), recording::csv(voyage))?;
+    write(&file(".csv"), recording::csv(voyage)?)?;
     write(&file(".mcap"), recording::mcap(voyage, &about)?)?;
     for figure in flight.figures {
         let drawn = figure.draw(flight.name, voyage)?;
