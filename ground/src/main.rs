@@ -10,11 +10,13 @@ use ground::recorded::Recorded;
 use ground::server::{self, Hub};
 use ground::testbed::{Pace, Testbed, Wanted};
 use ground::{ending, mocap, recorder, replay, testbed};
-use ground_args::{Airframe, Axis, Fly, Machine, Replay, Task};
+use ground_args::{Airframe, Axis, Campaign, Fly, Machine, Replay, Task};
 use sim::Aircraft;
+use sim::campaign::{Campaign as _, Kind};
 use std::error::Error;
 use std::io::Write as _;
 use std::net::{Ipv4Addr, SocketAddr};
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
@@ -197,9 +199,13 @@ fn unbuilt(_: &mut Live, tool: &str, address: SocketAddr) -> Box<dyn Error> {
 /// Shows a recording until the program is ended.
 fn play(wanted: &Replay) -> Result<(), Box<dyn Error>> {
     let (asked, asks) = live::queue();
-    let recorded = Recorded::read(&wanted.file)?;
-    let hub = Hub::new(asked, &live::hello(recorded.aircraft(&wanted.file)?, false))?;
-    let mut player = Player::of(&recorded, &wanted.file, hub.clone(), asks)?;
+    let file = match wanted.seed {
+        Some(seed) => flown_seed(wanted.campaign, seed)?,
+        None => named(wanted)?.to_owned(),
+    };
+    let recorded = Recorded::read(&file)?;
+    let hub = Hub::new(asked, &live::hello(recorded.aircraft(&file)?, false))?;
+    let mut player = Player::of(&recorded, &file, hub.clone(), asks)?;
     drop(recorded);
     report_missing(player.missing, player.playing().to);
     let wish = SocketAddr::new(Ipv4Addr::LOCALHOST.into(), wanted.port);
@@ -219,9 +225,29 @@ fn play(wanted: &Replay) -> Result<(), Box<dyn Error>> {
     }
 }
 
+/// Returns the recording that the command line names.
+fn named(wanted: &Replay) -> Result<&Path, Box<dyn Error>> {
+    wanted.file.as_deref().ok_or_else(|| "name a recording".into())
+}
+
+/// Flies the seed of a campaign; returns its recording.
+fn flown_seed(campaign: Campaign, seed: u64) -> Result<PathBuf, Box<dyn Error>> {
+    let kind = match campaign {
+        Campaign::Spread => Kind::Spread,
+        Campaign::Failures => Kind::Failures,
+    };
+    let folder = bessemer_legs::root().join("target/campaign");
+    std::fs::create_dir_all(&folder)
+        .map_err(|source| format!("`{}`: {source}", folder.display()))?;
+    let path = folder.join(format!("{}-{seed}.mcap", kind.kind()));
+    recorder::simulated(&kind.scenario(seed), path.clone())?;
+    say!("{}", path.display());
+    Ok(path)
+}
+
 fn run_again(wanted: &Replay) -> Result<bool, Box<dyn Error>> {
     let program = Program::build(&bessemer_legs::root(), target(wanted.target))?;
-    let report = replay::replay(&program, &wanted.file)?;
+    let report = replay::replay(&program, named(wanted)?)?;
     if report.difference.is_none() {
         report_missing(report.missing, report.until);
     }

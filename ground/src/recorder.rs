@@ -12,8 +12,10 @@ use crate::priority;
 use bessemer_legs::{value, words};
 use models::{Inputs, Outputs};
 use sim::Aircraft;
+use sim::computer::Native;
 use sim::recording::Writer;
-use sim::voyage::Moment;
+use sim::scenario::Scenario;
+use sim::voyage::{Moment, follow};
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::BufWriter;
@@ -157,6 +159,27 @@ impl Recorder {
 impl Drop for Recorder {
     fn drop(&mut self) {
         self.end();
+    }
+}
+
+/// Flies a scenario by the models, as fast as it goes, and records it as a live flight is recorded.
+///
+/// # Errors
+///
+/// The file cannot be written.
+pub fn simulated(scenario: &Scenario, path: PathBuf) -> Result<(), Unwritable> {
+    let mut recorder = Recorder::start(path.clone(), Aircraft::Mambo, None, true)?;
+    let mut number = 0;
+    follow(scenario, &mut Native::default(), |moment, _| {
+        let (moment, count) = (moment.clone(), Some(number));
+        let period = Period { number, count, moment, addressee: None, late: Vec::new() };
+        recorder.take(&period, Vec::new());
+        number += 1;
+        recorder.state().error.is_none()
+    });
+    match recorder.finish().error {
+        None => Ok(()),
+        Some(error) => Err(Unwritable { path, source: std::io::Error::other(error) }),
     }
 }
 

@@ -386,6 +386,18 @@ fn a_recording_that_cannot_begin_is_shown_on_the_page() {
 }
 
 #[test]
+fn a_seed_of_a_campaign_is_shown() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("seed.mcap");
+    let scenario = sim::campaign::Kind::Failures.scenario(7);
+    ground::recorder::simulated(&scenario, path.clone()).expect("it is written");
+    let (asked, asks) = live::queue();
+    let hub = Hub::new(asked, &live::hello(sim::Aircraft::Mambo, false)).expect("random bytes");
+    let player = Player::open(&path, hub, asks).expect("a recording");
+    assert!((player.playing().to - scenario.duration).abs() < 0.1, "the whole flight");
+}
+
+#[test]
 fn a_flight_that_is_over_is_shown_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("flight.mcap");

@@ -101,11 +101,25 @@ pub struct Fly {
     pub seconds: Option<f64>,
 }
 
+const REPLAY: &str = "\
+Examples:
+  cargo xtask replay FILE                                     Run the C again, and compare every bit
+  cargo xtask replay FILE --page                              Show the flight
+  cargo xtask replay --page --campaign failures --seed 7      Fly a seed of a campaign, record it in target/campaign/, and show it";
+
 /// Arguments of `replay`.
 #[derive(Debug, Args)]
+#[command(after_help = REPLAY)]
 pub struct Replay {
     /// The recording
-    pub file: PathBuf,
+    #[arg(required_unless_present = "seed")]
+    pub file: Option<PathBuf>,
+    /// Fly this seed of a campaign, record it in target/campaign/, and show it
+    #[arg(long, conflicts_with = "file", requires = "page")]
+    pub seed: Option<u64>,
+    /// Campaign of the seed
+    #[arg(long, value_enum, requires = "seed", default_value_t = Campaign::Spread)]
+    pub campaign: Campaign,
     /// Show it in the browser instead
     #[arg(long)]
     pub page: bool,
@@ -140,6 +154,15 @@ pub enum Airframe {
     Mambo,
     /// A hexacopter of the size of the DJI F550
     F550,
+}
+
+/// Campaign whose flights can be shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Campaign {
+    /// Flights without failures
+    Spread,
+    /// Flights with a failure
+    Failures,
 }
 
 /// Axis that points upwards.

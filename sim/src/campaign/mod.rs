@@ -12,7 +12,10 @@ pub mod dice;
 pub mod outcome;
 pub mod tally;
 
-use bessemer_campaign::{Campaign, Column, Replay, Value, fingerprint};
+use bessemer_campaign::{Column, Replay, Value, fingerprint};
+
+use crate::scenario::Scenario;
+pub use bessemer_campaign::Campaign;
 use outcome::Outcome;
 
 /// Subject of a campaign.
@@ -78,6 +81,14 @@ pub const MODELS: [(&str, &str); 36] = sources! {
 };
 
 impl Kind {
+    /// Returns the scenario of a seed.
+    pub fn scenario(self, seed: u64) -> Scenario {
+        match self {
+            Self::Spread => dice::scenario(seed),
+            Self::Failures => dice::failing(seed),
+        }
+    }
+
     /// Flies the flight of a seed.
     pub fn fly(self, seed: u64) -> Outcome {
         match self {
@@ -117,11 +128,7 @@ impl Campaign for Kind {
     }
 
     fn replay(&self, seed: u64) -> Replay {
-        let flight = match self {
-            Self::Spread => "chance",
-            Self::Failures => "failing",
-        };
-        let command = format!("cargo xtask sim {flight} --seed {seed} --out target/seed-{seed}");
+        let command = format!("cargo xtask replay --page --campaign {} --seed {seed}", self.kind());
         Replay { command, link: String::new() }
     }
 }
