@@ -391,8 +391,8 @@ fn a_seed_of_a_campaign_is_shown() {
     let path = folder.path().join("seed.mcap");
     let scenario = sim::campaign::Kind::Failures.scenario(7);
     ground::recorder::simulated(&scenario, path.clone()).expect("it is written");
-    let (asked, asks) = live::queue();
-    let hub = Hub::new(asked, &live::hello(sim::Aircraft::Mambo, false)).expect("random bytes");
+    let (sender, asks) = live::queue();
+    let hub = Hub::new(sender, &live::hello(sim::Aircraft::Mambo, false)).expect("random bytes");
     let player = Player::open(&path, hub, asks).expect("a recording");
     assert!((player.playing().to - scenario.duration).abs() < 0.1, "the whole flight");
 }

@@ -119,19 +119,19 @@ fn a_summary_names_faults_bounds_and_the_worst_seeds() {
 /// Both ways estimate the probability that is known: 3.17·10⁻⁵ beyond 4 standard deviations, 2.28·10⁻² beyond 2.
 #[test]
 fn splitting_agrees_with_plain_sampling_and_with_what_is_known() {
-    let effort = Effort { level: 500, ..Effort::default() };
+    let effort = Effort { level: 300, ..Effort::default() };
     for (bound, known) in [(2.0, 2.275e-2), (4.0, 3.167e-5)] {
         let found = estimate(&Sum { bound }, effort).expect("an estimate");
         assert!((found.probability - known).abs() < 4.0 * found.error, "{found:?}, not {known}");
-        assert!(found.error < 0.3 * known, "{found:?}");
+        assert!(found.error < 0.4 * known, "{found:?}");
         assert!(found.severity >= 0.0 && Sum { bound }.severity(&found.worst) == found.severity);
         if bound == 4.0 {
-            // Plain sampling has an error of 105 % of the probability with as many runs.
-            assert!(found.runs < 30_000, "{found:?}");
+            // Plain sampling has an error of 140 % of the probability with as many runs.
+            assert!(found.runs < 18_000, "{found:?}");
         }
     }
     // Plain sampling of the frequent failure, by the first level alone.
-    let plain = Effort { levels: 1, level: 5000, ..effort };
+    let plain = Effort { levels: 1, level: 2000, ..effort };
     let plain = estimate(&Sum { bound: 2.0 }, plain).expect("an estimate");
     let split = estimate(&Sum { bound: 2.0 }, effort).expect("an estimate");
     let spread = plain.error.hypot(split.error);
