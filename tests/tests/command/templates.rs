@@ -23,6 +23,17 @@ fn a_template_is_simulated_and_generated() {
         let package = workspace.path(name);
         let passed = workspace.run_test(&package, "closed_loop");
         passed.unwrap_or_else(|said| panic!("{name}: {said}"));
+        if template == Some(Template::Vehicle) {
+            let _alone = workspace.alone().expect("the target folder");
+            let mut campaign = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+            let words =
+                "run --quiet --offline --example campaign -- --seeds 0..2 --json --file two.csv";
+            campaign.args(words.split(' ')).current_dir(&package);
+            let said =
+                toolchain::run(&mut campaign).map(|()| fs::read_to_string(package.join("two.csv")));
+            let rows = said.unwrap_or_else(|said| panic!("{name}: {said}")).expect("the rows");
+            assert_eq!(rows.lines().count(), 4, "{rows}");
+        }
         let said =
             super::generated(&package, false).unwrap_or_else(|said| panic!("{name}: {said}"));
         assert!(said.contains(entry), "{said}");
