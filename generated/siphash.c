@@ -15,8 +15,11 @@
 #include <stdint.h>
 
 #include "bessemer_calls.h"
+#include "bessemer_helpers.h"
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
+
+static const uint64_t WORD = UINT64_C(8);
 
 void sip_keyed(const siphash_key_t *key, sip_t *BESSEMER_RESTRICT sip)
 {
@@ -63,20 +66,27 @@ uint64_t siphash_sip_hash(const siphash_key_t *key, const uint8_t bytes[PACKET_M
 {
     sip_t sip;
     sip_keyed(key, &sip);
-    uint64_t word = UINT64_C(0);
-    uint64_t count = UINT64_C(0);
-    for (uint32_t n = 0U; n < PACKET_MAX_BYTES; n++) {
-        if (n >= from && n < end) {
-            word |= (uint64_t)bytes[n] << (UINT64_C(8) * (count % UINT64_C(8)));
-            count += UINT64_C(1);
-            if (count % UINT64_C(8) == UINT64_C(0)) {
-                sip_take(&sip, word);
-                word = UINT64_C(0);
+    const uint32_t stop = (uint32_t)min_u64(end, PACKET_MAX_BYTES);
+    uint32_t at = (uint32_t)min_u64(from, (uint64_t)stop);
+    const uint32_t length = stop - at;
+    for (uint32_t pass = 0U; pass < PACKET_MAX_BYTES / WORD; pass++) {
+        if (at + WORD <= stop) {
+            uint64_t word = UINT64_C(0);
+            for (uint32_t n = 0U; n < WORD; n++) {
+                word |= (uint64_t)bytes[at + n] << (8U * n);
             }
+            sip_take(&sip, word);
+            at = (uint32_t)(at + WORD);
         }
     }
 
     /* The remaining bytes, and the length of the message in the highest byte. */
-    sip_take(&sip, word | (count << 56));
+    uint64_t last = (uint64_t)length << 56;
+    for (uint32_t n = 0U; n < WORD - 1U; n++) {
+        if (at + n < stop) {
+            last |= (uint64_t)bytes[at + n] << (8U * n);
+        }
+    }
+    sip_take(&sip, last);
     return sip_sum(&sip);
 }

@@ -75,13 +75,13 @@ pub fn answers(
 }
 
 /// Returns the C of a call that is independent of others: its state is read with the arguments.
-fn alone(call: Call, index: usize) -> (String, String) {
+fn alone(call: Call, index: usize) -> ([String; 2], String) {
     let Call { own, declarations, init, sets, reads, call, writes, state, changed, .. } = call;
     let text = format!(
         "static void call_{index}(void)\n{{\n    uint64_t status;\n{own}{declarations}{init}\
          {sets}{reads}{call}        put(status);\n    if (status == 0) {{\n{writes}{state}{changed}    }}\n}}\n\n"
     );
-    (String::new(), text)
+    (Default::default(), text)
 }
 
 /// First word of a board's answer to a call. An error report begins with another word (`c/link/wrong.h`).
@@ -145,7 +145,7 @@ pub fn watched(
              {{ const uint64_t stack = stack_used(); put(status); put(stack); }}\n    \
              if (status == 0) {{\n{writes}{state}{changed}    }}\n}}\n\n"
         );
-        (MARKS.to_owned(), text)
+        ([MARKS.to_owned(), String::new()], text)
     })
 }
 
@@ -159,17 +159,36 @@ pub fn lives(module: &Module, entries: &[(FunctionId, u32)], options: &Options) 
             "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}    if (get() != 0) {{\n{init}    }}\n\
              {reads}{call}        put(status);\n{writes}{state}{changed}}}\n\n"
         );
-        (own, text)
+        ([own, String::new()], text)
     })
 }
 
-/// Returns a program with a function for each entry, written by `text`, and a common beginning.
+/// Returns the program of [`lives`] that counts the instructions of each call, as [`marked`] does, and writes nothing.
+/// `bare`: for a machine without an operating system.
+pub fn counted(
+    module: &Module,
+    entries: &[(FunctionId, u32)],
+    options: &Options,
+    bare: bool,
+) -> String {
+    let carrier = if bare { Carrier::Files } else { Carrier::Streams };
+    several(module, entries, options, &carrier, |call, index| {
+        let Call { own, declarations, init, reads, call, spare, .. } = call;
+        let text = format!(
+            "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}    if (get() != 0) {{\n{init}    }}\n\
+             {reads}        bench_begin();\n{call}        bench_end();\n        (void)status;\n{spare}}}\n\n"
+        );
+        ([own, MARKS.to_owned()], text)
+    })
+}
+
+/// Returns a program with a function for each entry, written by `text`, below the text that several of them share.
 fn several(
     module: &Module,
     entries: &[(FunctionId, u32)],
     options: &Options,
     carrier: &Carrier,
-    text: impl Fn(Call, usize) -> (String, String),
+    text: impl Fn(Call, usize) -> ([String; 2], String),
 ) -> String {
     let names = Names::new(module, options);
     let (mut headers, mut shared) = (BTreeSet::new(), BTreeSet::new());
@@ -182,12 +201,29 @@ fn several(
         let Some(call) = Call::of(module, &names, *entry, *params, &this) else { continue };
         headers.insert(format!("#include \"{}\"\n", call.header));
         let (once, function) = text(call, index);
-        shared.insert(once);
+        shared.extend(once);
         functions.push_str(&function);
         let _ = writeln!(cases, "        case {index}: call_{index}(); break;");
     }
     let (headers, shared) = (String::from_iter(headers), String::from_iter(shared));
     format!("{headers}{}\n{shared}{functions}{}", carrier.head(), carrier.main(&cases))
+}
+
+/// Returns for each parameter of a function's author whether a program reads it with each call. A component, or plain data
+/// that a function sets, is kept between the calls of [`lives`].
+pub fn is_read(module: &Module, id: FunctionId) -> Vec<bool> {
+    let names = Names::new(module, &Options::default());
+    let function = &module.functions[id.index()];
+    let keeps = state(&names, function.owner).is_some();
+    function.parameters().iter().map(|it| !(keeps && it.name == "self")).collect()
+}
+
+/// Returns the struct that a function's program keeps, and the name of the function that sets it.
+fn state(names: &Names, owner: Option<Owner>) -> Option<(StructId, &str)> {
+    match owner {
+        Some(Owner::Struct(id)) => Some((id, names.structs[id.index()].init.as_deref()?)),
+        _ => None,
+    }
 }
 
 /// The pieces of C around one entry point or function.
@@ -206,6 +242,8 @@ struct Call {
     reads: String,
     /// The call, which sets `status`.
     call: String,
+    /// Use of a result that nothing else reads; empty if none is returned by value.
+    spare: &'static str,
     /// Statements that write the result.
     writes: String,
     /// Statements that write the state.
@@ -229,9 +267,7 @@ impl Call {
         let mut pieces = Call { header: signature.header.clone(), ..Call::default() };
         let mut stateful = false;
         // Plain data has no first state: it is an argument like any other.
-        if let Some(Owner::Struct(component)) = function.owner
-            && let Some(init) = &names.structs[component.index()].init
-        {
+        if let Some((component, init)) = state(names, function.owner) {
             stateful = true;
             let own = &names.structs[component.index()];
             pieces.own = format!("    static {} {this};\n", own.ty);
@@ -289,6 +325,7 @@ impl Call {
                 let declarator = names.declarator(ty, "returned").text();
                 let _ = writeln!(pieces.declarations, "    static {declarator};");
                 walk.writes(ty, "returned", &mut pieces.writes);
+                pieces.spare = "        (void)returned;\n";
                 format!("        returned = {call};\n        status = 0;\n")
             }
         };

@@ -1,6 +1,7 @@
 //! Random numbers from a seed, the same in every run.
 
 /// A generator of numbers (SplitMix64).
+#[derive(Clone)]
 pub struct Random(pub u64);
 
 impl Random {

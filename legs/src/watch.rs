@@ -62,14 +62,31 @@ pub fn watched(
     sources: &[PathBuf],
     input: &[u8],
 ) -> Result<Watched, String> {
-    // Emitted files can be called anything.
-    let own = folder.join("watch");
+    let program = built(toolchain, folder, main, sources)?;
+    counted(toolchain, &folder.join(FOLDER), &program, input)
+}
+
+/// Name of the folder in which a program is built and runs, since emitted files can be called anything.
+pub const FOLDER: &str = "watch";
+
+/// Compiles `sources` and the program `main` in a folder of `folder`. Returns the path of the program.
+///
+/// # Errors
+///
+/// The message of the compiler or the system.
+pub fn built(
+    toolchain: &Toolchain,
+    folder: &Path,
+    main: &Path,
+    sources: &[PathBuf],
+) -> Result<PathBuf, String> {
+    let own = folder.join(FOLDER);
     std::fs::create_dir_all(&own).map_err(|error| error.to_string())?;
     let mut sources = sources.to_vec();
     sources.extend(start(toolchain, &own)?);
     let program = own.join("watched");
     toolchain.around(main, &sources, &program, &[])?;
-    counted(toolchain, &own, &program, input)
+    Ok(program)
 }
 
 /// Writes the startup code of a program without an operating system into a folder; none if the toolchain needs none.

@@ -6,6 +6,9 @@
 use crate::packet::MAX_BYTES;
 use bessemer::prelude::*;
 
+/// Size of the words that the hash absorbs, in bytes.
+const WORD: usize = 8;
+
 /// Secret key of 16 bytes, shared with the ground station.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -79,19 +82,26 @@ impl Sip {
 #[function]
 pub fn sip_hash(key: &Key, bytes: &[u8; MAX_BYTES], from: usize, end: usize) -> u64 {
     let mut sip = Sip::keyed(key);
-    let mut word: u64 = 0;
-    let mut count: u64 = 0;
-    for n in 0..MAX_BYTES {
-        if n >= from && n < end {
-            word |= (bytes[n] as u64) << (8 * (count % 8));
-            count = count.wrapping_add(1);
-            if count % 8 == 0 {
-                sip.take(word);
-                word = 0;
+    let stop = end.min(MAX_BYTES);
+    let mut at = from.min(stop);
+    let length = stop - at;
+    for _ in 0..MAX_BYTES / WORD {
+        if at + WORD <= stop {
+            let mut word: u64 = 0;
+            for n in 0..WORD {
+                word |= (bytes[at + n] as u64) << (8 * n);
             }
+            sip.take(word);
+            at += WORD;
         }
     }
     // The remaining bytes, and the length of the message in the highest byte.
-    sip.take(word | (count << 56));
+    let mut last = (length as u64) << 56;
+    for n in 0..WORD - 1 {
+        if at + n < stop {
+            last |= (bytes[at + n] as u64) << (8 * n);
+        }
+    }
+    sip.take(last);
     sip.sum()
 }

@@ -48,6 +48,8 @@ pub struct Content {
     pub sizes: Vec<Sizes>,
     /// Longest paths by target.
     pub paths: Vec<Paths>,
+    /// Contracts that were proved, by function.
+    pub proved: Vec<Proved>,
     /// Requirements.
     pub matrix: Matrix,
     /// Coverage of the C; none if it was not measured.
@@ -194,8 +196,20 @@ pub struct Loop {
 pub struct Paths {
     /// Name of the target with its compiler.
     pub target: String,
-    /// Entry point, instructions and cycles, or the reason for none.
-    pub rows: Vec<[String; 3]>,
+    /// Entry point, instructions and cycles or the reason for none, the most instructions that a call took, and the ratio of
+    /// the path to it.
+    pub rows: Vec<[String; 5]>,
+}
+
+/// Goals of a function's contract.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Proved {
+    /// The C name.
+    pub function: String,
+    /// Number of proved goals.
+    pub proved: u64,
+    /// Number of all goals.
+    pub goals: u64,
 }
 
 /// Sizes on one target.

@@ -18,6 +18,9 @@ const QUESTIONS: &str = include_str!("../templates/questions.tsv");
 /// Notes for a qualification of the tool: heading, text.
 const NOTES: &str = include_str!("../templates/notes.tsv");
 
+/// Results of the project's own tests: test, result, command.
+const TESTS: &str = include_str!("../templates/tests.tsv");
+
 /// Evidence of the tool.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Evidence {
@@ -27,6 +30,8 @@ pub struct Evidence {
     pub crates: Vec<Crate>,
     /// Notes, by heading.
     pub notes: Vec<Note>,
+    /// Results of the project's own tests.
+    pub tests: Vec<[&'static str; 3]>,
     /// Questions.
     pub questions: Vec<Question>,
     /// Number of questions that a section answers.
@@ -114,6 +119,7 @@ impl Evidence {
             crates: crates(lock, package).into_iter().map(|it| it.own).collect(),
             answered: questions.iter().filter(|it| !it.section.is_empty()).count(),
             notes,
+            tests: rows::<3>(TESTS).collect(),
             questions,
         }
     }

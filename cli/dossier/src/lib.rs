@@ -22,6 +22,7 @@ pub mod coverage;
 pub mod evidence;
 pub mod graph;
 pub mod manifest;
+pub mod memory;
 pub mod output;
 pub mod page;
 pub mod requirements;

@@ -291,7 +291,7 @@ mod tests {
     #[test]
     fn every_option_has_a_key() {
         let text = "prefix = \"acme_\"\nheaders = \"acme\"\nstatus = \"motor\"\nhook = \"stop\"\nc_standard = \"gnu11\"\n\
-            math = \"target\"\nlayout = \"array\"\nself_test = true\nkeep_checks = true\npragmas = false\nascii = true\ntrace = \"comments\"\n\
+            math = \"target\"\nlayout = \"array\"\nself_test = true\nkeep_checks = true\npragmas = false\nascii = true\ntrace = \"comments\"\ncontracts = \"acsl\"\n\
             [kernels]\nmode = \"plain\"\nprocessors = \"cortex-m\"\ncode_bytes = 9\nthreads = 2\n\
             [[replacements]]\nroutine = \"product\"\nlibrary = \"CBLAS\"\ninclude = \"<cblas.h>\"\nbody = [\"x();\"]\n";
         let set = read(NAME, text).expect("it is sound").options;
@@ -312,6 +312,7 @@ mod tests {
             pragmas,
             ascii,
             trace_comments,
+            contracts,
             keep_checks,
         } = set;
         assert_eq!(
@@ -327,8 +328,8 @@ mod tests {
             (9, Mode::Plain, Processors::CortexM, 2)
         );
         assert_eq!(
-            (math, layout, self_test, keep_checks, pragmas, ascii, trace_comments),
-            (Math::Target, Layout::Array, true, true, false, true, true)
+            (math, layout, self_test, keep_checks, pragmas, ascii, trace_comments, contracts),
+            (Math::Target, Layout::Array, true, true, false, true, true, true)
         );
     }
 

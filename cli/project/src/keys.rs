@@ -197,6 +197,12 @@ pub const KEYS: &[Key] = &[
         says: "The way from a line of C to its line of Rust: the `.map` file beside each file, or also a comment at the end of each line, such as `/* src/motor.rs:12 */`. With comments, the C changes when a line of the Rust moves.",
     },
     Key {
+        name: "contracts",
+        kind: Kind::Choice(&["none", "acsl"], |to, which| to.options.contracts = which == 1),
+        default: "\"none\"",
+        says: "Comments for Frama-C, in its language ACSL: what a caller of each function keeps to, what a function and a loop change, and the bounds of a loop's counter.",
+    },
+    Key {
         name: "keep_checks",
         kind: Kind::Flag(|to, flag| to.options.keep_checks = flag),
         default: "false",

@@ -6,12 +6,11 @@ use std::path::Path;
 use std::process::Command;
 
 use bessemer_codegen::compile::Compiled;
-use bessemer_dossier::content::{Outcome, Paths, Sizes, grouped};
+use bessemer_dossier::content::{Outcome, Sizes};
 use bessemer_dossier::coverage::reasons::{self, Row};
 use bessemer_dossier::coverage::{Missing, Report};
 use bessemer_dossier::requirements::Results;
 use bessemer_dossier::requirements::rust::Item;
-use bessemer_legs::longest;
 use bessemer_legs::toolchain::{self, GCC, Toolchain};
 use bessemer_project::Project;
 use bessemer_words::record;
@@ -30,7 +29,7 @@ pub const FAILED: &str = "failed";
 pub const NOT_RUN: &str = "not run";
 
 /// Returns the first line that a program answers to `--version`.
-fn version(program: &str) -> String {
+pub fn version(program: &str) -> String {
     let output = Command::new(program).arg("--version").output();
     let text = output.map(|it| String::from_utf8_lossy(&it.stdout).into_owned());
     text.ok().and_then(|it| it.lines().next().map(str::to_owned)).unwrap_or_default()
@@ -63,6 +62,8 @@ pub fn not_run(why: &str) -> Vec<Outcome> {
         ("Tests of the package", "cargo test"),
         ("Rust, interpreter and C agree", "cargo bessemer verify"),
         ("Coverage of the C", "cargo bessemer dossier"),
+        ("Sanitizers", "cargo bessemer dossier"),
+        ("Contracts, by Frama-C's WP", "frama-c -wp -wp-rte"),
         ("Sizes", "cargo bessemer sizes"),
     ];
     let one = |(what, command)| outcome(what, command, String::new(), NOT_RUN, why.to_owned());
@@ -281,7 +282,7 @@ pub fn targets() -> Vec<(&'static str, Toolchain)> {
 }
 
 /// Returns the first error in a compiler's message, without the command and its paths.
-fn first_error(said: &str) -> &str {
+pub fn first_error(said: &str) -> &str {
     // The linker's own message is above the one of the compiler that runs it.
     let linker = |line| Some(str::split_once(str::split_once(line, ".ld:")?.1, ": ")?.1);
     let compiler = |line| Some(str::split_once(line, "error: ")?.1);
@@ -290,7 +291,7 @@ fn first_error(said: &str) -> &str {
 }
 
 /// Compiles an empty function; the compiler's first error, such as a missing library of its own.
-fn try_out(toolchain: &Toolchain) -> Result<(), String> {
+pub fn try_out(toolchain: &Toolchain) -> Result<(), String> {
     let text = "int nothing(void);\nint nothing(void)\n{\n    return 0;\n}\n";
     let compiled = tempfile::tempdir().map_err(|error| error.to_string()).and_then(|folder| {
         let source = folder.path().join("nothing.c");
@@ -299,36 +300,6 @@ fn try_out(toolchain: &Toolchain) -> Result<(), String> {
         toolchain.brought(&[object], "nothing", &folder.path().join("kept.o")).map(drop)
     });
     compiled.map_err(|said| first_error(&said).to_owned())
-}
-
-/// Finds the longest paths on a target; none for a processor that the model does not have.
-pub fn paths(
-    project: &Project,
-    compiled: &Compiled,
-    name: &str,
-    toolchain: &Toolchain,
-) -> Option<(Outcome, Option<Paths>)> {
-    longest::processor(toolchain)?;
-    let (what, compiler) = (format!("Longest paths on {name}"), version(toolchain.compiler));
-    let command = format!("cargo bessemer verify --target {name}");
-    let of = |verdict, detail| outcome(&what, &command, compiler.clone(), verdict, detail);
-    if let Err(why) = try_out(toolchain) {
-        return Some((of(NOT_RUN, why), None));
-    }
-    let toolchain = toolchain.clone().of(project.settings.options.standard);
-    let list = match longest::longest(compiled, &toolchain) {
-        Ok(list) => list?,
-        Err(said) => return Some((of(FAILED, first_error(&said).to_owned()), None)),
-    };
-    let open = list.iter().filter(|it| it.cost.is_err()).count();
-    let rows = list.into_iter().map(|it| match it.cost {
-        Ok(cost) => [it.entry, grouped(cost.instructions), grouped(cost.cycles)],
-        Err(why) => [it.entry, why, String::new()],
-    });
-    let rows: Vec<[String; 3]> = rows.collect();
-    let detail = format!("{} of {} entry points have a bound", rows.len() - open, rows.len());
-    let paths = Paths { target: format!("{name}: {compiler}, -O2"), rows };
-    Some((of(PASSED, detail), Some(paths)))
 }
 
 /// Measures the sizes on a target.

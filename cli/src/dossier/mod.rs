@@ -4,7 +4,11 @@
 //! how a page looks.
 
 mod checks;
+mod contracts;
+mod known;
+mod sanitized;
 mod sources;
+mod worst;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -23,11 +27,13 @@ use bessemer_dossier::requirements::{Matrix, Results};
 use bessemer_dossier::scan::Kind;
 use bessemer_dossier::trace::{Folder, Workspace};
 use bessemer_dossier::{output, page};
+use bessemer_legs::longest;
 use bessemer_project::Project;
 
 use crate::args::Dossier;
 use crate::error::Error;
 use crate::verify::covered::{self, Sources};
+use crate::verify::search::Search;
 
 /// Reason why a dossier cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -147,7 +153,7 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
     let mut results = vec![checks::current(&compiled)];
     let mut of_tests = Results::new();
     let mut own = Sources { recordings, fill: wanted.fill, ..Sources::default() };
-    let (mut sizes, mut paths) = (Vec::new(), Vec::new());
+    let (mut sizes, mut paths, mut proved) = (Vec::new(), Vec::new(), Vec::new());
     let mut coverage = None;
     if wanted.quick {
         results.extend(checks::not_run("`--quick` was passed"));
@@ -160,12 +166,24 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
         results.push(checks::verified(folder, wanted.package.name()));
         say("measuring the coverage of the C");
         let measured = covered::covered(&project, &compiled, &c, &own);
+        let (measured, search) = match measured {
+            Ok((report, search)) => (Ok(report), search),
+            Err(error) => (Err(error), Search::new(&compiled.module)),
+        };
         let (outcomes, report) = checks::covered(measured, &reasons)?;
         results.extend(outcomes);
         coverage = report;
+        let calls = known::Known::of(search, own.tests.as_ref(), wanted.fill);
+        say("running the calls with sanitizers");
+        results.extend(sanitized::checked(&project, &compiled, &calls));
+        say("proving contracts");
+        let (outcome, rows) = contracts::proved(&project, &compiled, &c);
+        results.push(outcome);
+        proved = rows;
         for (name, toolchain) in checks::targets() {
-            if let Some((outcome, rows)) = checks::paths(&project, &compiled, name, &toolchain) {
-                say(&format!("finding the longest paths on {name}"));
+            if longest::processor(&toolchain).is_some() {
+                say(&format!("finding the longest paths on {name}, and counting calls"));
+                let (outcome, rows) = worst::paths(&project, &compiled, name, &toolchain, &calls);
                 results.push(outcome);
                 paths.extend(rows);
             }
@@ -207,6 +225,7 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
         results,
         sizes,
         paths,
+        proved,
         coverage,
         change,
         evidence: Evidence::of(&c, &lock, &project.package.name),

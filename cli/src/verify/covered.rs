@@ -17,8 +17,9 @@ use bessemer_project::Project;
 use bessemer_words::record::{self, Calls};
 use tempfile::TempDir;
 
+use super::parts::widths;
 use super::search::{Life, Search};
-use super::{Inputs, chosen, parted, recorded};
+use super::{Inputs, chosen, recorded};
 use crate::error::Error;
 
 /// Sources of inputs besides made ones.
@@ -32,16 +33,17 @@ pub struct Sources {
     pub fill: u64,
 }
 
-/// Measures the coverage of the C.
+/// Measures the coverage of the C. Returns also the search, which knows the lives that did it.
 ///
 /// # Errors
 /// There is no compiler, the C does not compile, or a recording cannot be read.
-pub fn covered(
+pub fn covered<'c>(
     project: &Project,
-    compiled: &Compiled,
+    compiled: &'c Compiled,
     folder: &Folder,
     sources: &Sources,
-) -> Result<Report, Error> {
+) -> Result<(Report, Search<'c>), Error> {
+    let mut search = Search::new(&compiled.module);
     let toolchain = toolchain::host().into_iter().next().ok_or(Error::NoCompiler)?;
     let standard = project.settings.options.standard;
     let toolchain = Toolchain { level: 0, ..toolchain.of(standard) };
@@ -59,14 +61,12 @@ pub fn covered(
             &without_hook
         }
     };
-    let module = &compiled.module;
     let texts = compiled.files.iter().map(|it| (it.name.as_str(), it.text.as_str()));
     let authored = |name: &str| {
         let file = compiled.files.iter().find(|it| it.name == name);
         file.is_some_and(|it| it.map.iter().any(|row| !row.function.contains("::kernels::")))
     };
     let done = instrument::instrument(texts, authored);
-    let mut search = Search::new(module);
     let program = Program::build(&options, compiled, &done, &search, &toolchain)?;
     let mut covered = Covered { program, seen: Seen::default() };
     let mut names = Vec::new();
@@ -82,20 +82,18 @@ pub fn covered(
     }
     for (entry, path) in &sources.recordings {
         let inputs = recorded(project, compiled, path, Some(entry.as_str()))?;
-        let calls = covered.record(&mut search, &inputs)?;
+        let Inputs::Recorded { entry: id, calls, .. } = inputs else { continue };
+        let calls = calls.iter().map(|call| call.concat()).collect();
+        let calls = covered.record(&mut search, id, calls)?;
         let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         names.push(format!("{calls} recorded calls of {entry} ({file})"));
     }
     let mut of_tests = 0;
-    let files = sources.tests.as_ref().map(|it| record::files(it.path()));
-    let file = |path: PathBuf| move |source| Error::File { path, source };
-    for path in files.transpose().map_err(file(PathBuf::new()))?.unwrap_or_default() {
-        // One file after the other: those of a simulation have gigabytes.
-        let Calls { entry, calls } = Calls::read(&path).map_err(file(path))?;
-        let entry = chosen(compiled, Some(entry.as_str()))?;
-        let calls = parted(module, entry, &calls)?;
-        let inputs = Inputs::Recorded { entry, calls, notes: Vec::new() };
-        of_tests += covered.record(&mut search, &inputs)?;
+    if let Some(folder) = &sources.tests {
+        each_of_tests(compiled, folder.path(), |entry, calls| {
+            of_tests += covered.record(&mut search, entry, calls)?;
+            Ok(())
+        })?;
     }
     if of_tests > 0 {
         names.push(format!("{of_tests} calls of tests"));
@@ -113,7 +111,28 @@ pub fn covered(
             sources.fill
         ));
     }
-    Ok(coverage::report(&done, &covered.seen, folder, names))
+    let report = coverage::report(&done, &covered.seen, folder, names);
+    Ok((report, search))
+}
+
+/// Calls `done` with an entry point and the words of its calls, for each file that tests recorded.
+///
+/// # Errors
+/// A file cannot be read, or an error of `done`.
+pub fn each_of_tests(
+    compiled: &Compiled,
+    folder: &Path,
+    mut done: impl FnMut(FunctionId, Vec<Vec<u64>>) -> Result<(), Error>,
+) -> Result<(), Error> {
+    let file = |path: PathBuf| move |source| Error::File { path, source };
+    for path in record::files(folder).map_err(file(folder.to_owned()))? {
+        // One file after the other: those of a simulation have gigabytes.
+        let Calls { entry, calls } = Calls::read(&path).map_err(file(path))?;
+        let entry = chosen(compiled, Some(entry.as_str()))?;
+        widths(&compiled.module, entry, &calls)?;
+        done(entry, calls)?;
+    }
+    Ok(())
 }
 
 /// The program, and all that its runs have covered.
@@ -139,12 +158,15 @@ impl Covered {
     }
 
     /// Runs the calls of a recording. Returns their number.
-    fn record(&mut self, search: &mut Search<'_>, inputs: &Inputs) -> Result<usize, Error> {
-        let Inputs::Recorded { entry, calls, .. } = inputs else { return Ok(0) };
-        let Some(target) = search.targets.iter().position(|it| it.id == *entry) else {
+    fn record(
+        &mut self,
+        search: &mut Search<'_>,
+        entry: FunctionId,
+        calls: Vec<Vec<u64>>,
+    ) -> Result<usize, Error> {
+        let Some(target) = search.targets.iter().position(|it| it.id == entry) else {
             return Ok(0);
         };
-        let calls: Vec<Vec<u64>> = calls.iter().map(|call| call.concat()).collect();
         let count = calls.len();
         self.add(search, &[Life { target, calls }])?;
         Ok(count)
@@ -205,14 +227,7 @@ impl Program {
         use std::io::{Seek, Write};
         let here = self.folder.path();
         let failed = |source| Error::File { path: here.to_owned(), source };
-        let mut bytes = Vec::new();
-        for life in lives {
-            for (at, call) in life.calls.iter().enumerate() {
-                bytes.extend((life.target as u64).to_le_bytes());
-                bytes.extend(u64::from(at == 0).to_le_bytes());
-                call.iter().for_each(|word| bytes.extend(word.to_le_bytes()));
-            }
-        }
+        let bytes: Vec<u8> = lives.iter().flat_map(Life::bytes).collect();
         let mut file = tempfile::tempfile().map_err(failed)?;
         file.write_all(&bytes).and_then(|()| file.rewind()).map_err(failed)?;
         let seen = here.join("seen");

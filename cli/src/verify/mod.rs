@@ -5,13 +5,16 @@
 //! Invariant: the output names missing legs, entry points that were not called, and lines that no call executed.
 
 mod board;
+pub(crate) mod counted;
 pub(crate) mod covered;
 mod emulated;
 mod lines;
 mod native;
 mod outputs;
+mod parts;
 pub mod recording;
-mod search;
+pub(crate) mod sanitized;
+pub(crate) mod search;
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -30,6 +33,7 @@ use bessemer_legs::random::Random;
 use bessemer_legs::toolchain::{self, Toolchain};
 use bessemer_legs::{harness, process};
 use bessemer_project::Project;
+use parts::parted;
 use recording::flight::Mapping;
 
 pub(crate) use emulated::machine;
@@ -84,28 +88,6 @@ pub fn with_words(
         let calls = parted(&compiled.module, entry, calls)?;
         Ok(Inputs::Recorded { entry, calls, notes: Vec::new() })
     })
-}
-
-/// Parts the words of each call into those of each argument except the component.
-fn parted(
-    module: &Module,
-    entry: FunctionId,
-    calls: &[Vec<u64>],
-) -> Result<Vec<Vec<Vec<u64>>>, Error> {
-    let function = &module.functions[entry.index()];
-    let counts: Vec<usize> =
-        function.parameters().iter().skip(1).map(|it| module.width(&it.ty)).collect();
-    let taken = counts.iter().sum();
-    let parted = |words: &Vec<u64>| {
-        if words.len() != taken {
-            let name = named(module, function);
-            return Err(Error::Words { name, found: words.len(), wanted: taken });
-        }
-        let mut rest = words.as_slice();
-        let parts = counts.iter().filter_map(|count| rest.split_off(..*count));
-        Ok(parts.map(<[u64]>::to_vec).collect())
-    };
-    calls.iter().map(parted).collect()
 }
 
 fn compared(

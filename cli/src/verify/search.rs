@@ -6,6 +6,7 @@
 
 use bessemer_ir::{FunctionId, Module, Role, Type};
 use bessemer_legs::arguments::{self, Numbers, Size};
+use bessemer_legs::harness;
 use bessemer_legs::random::Random;
 
 use super::{CALLS, LIFE};
@@ -28,7 +29,20 @@ pub struct Life {
     pub calls: Vec<Vec<u64>>,
 }
 
+impl Life {
+    /// Returns the input of a program that makes the calls (`harness::lives`).
+    pub fn bytes(&self) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        for (at, call) in self.calls.iter().enumerate() {
+            let head = [self.target as u64, u64::from(at == 0)];
+            bytes.extend(head.iter().chain(call).flat_map(|word| word.to_le_bytes()));
+        }
+        bytes
+    }
+}
+
 /// A function that is called.
+#[derive(Clone)]
 pub struct Target {
     /// The function.
     pub id: FunctionId,
@@ -36,7 +50,7 @@ pub struct Target {
     arguments: Vec<(Type, Vec<Type>)>,
     numbers: Numbers,
     /// Lives that reached something.
-    known: Vec<Life>,
+    pub known: Vec<Life>,
 }
 
 /// Returns the entry points and the public functions of a module, without those that take slices.
@@ -53,10 +67,9 @@ pub fn targets(module: &Module) -> Vec<Target> {
 
 impl Target {
     fn of(module: &Module, id: FunctionId) -> Target {
-        let function = &module.functions[id.index()];
-        let has_state = matches!(function.role, Role::Entry { .. });
-        let parameters = function.parameters().iter();
-        let taken = parameters.filter(|it| !(has_state && it.name == "self"));
+        let parameters = module.functions[id.index()].parameters().iter();
+        let read = harness::is_read(module, id);
+        let taken = parameters.zip(read).filter(|(_, read)| *read).map(|(it, _)| it);
         let arguments = taken.map(|it| (it.ty.clone(), module.leaves(&it.ty))).collect();
         Target { id, arguments, numbers: Numbers::of(module, id), known: Vec::new() }
     }
@@ -81,6 +94,7 @@ impl Target {
 }
 
 /// The search.
+#[derive(Clone)]
 pub struct Search<'m> {
     module: &'m Module,
     random: Random,

@@ -215,4 +215,85 @@ pub const CASES: &[Case<'static>] = &[
         said: "git knows no version `--all`: ",
         ..PLAIN
     },
+    Case {
+        name: "reasons that are not there",
+        files: MAPPED,
+        words: &["dossier", "--reasons", "coverage.csv"],
+        said: "`coverage.csv`: No such file",
+        ..PLAIN
+    },
+    Case {
+        name: "reasons with a row that lacks a cell",
+        files: &[
+            PACKAGE[0],
+            RUST,
+            PACKAGE[2],
+            PACKAGE[3],
+            C,
+            MAP,
+            ("coverage.csv", "function,code,reason\nf,g();\n"),
+        ],
+        words: &["dossier", "--reasons", "coverage.csv"],
+        said: "`coverage.csv`: line 2: ",
+        remedy: "function,code,reason",
+        ..PLAIN
+    },
+    Case {
+        name: "a dossier in place of a file",
+        files: MAPPED,
+        words: &["dossier", "--output", "Cargo.toml"],
+        said: "Cargo.toml`: Not a directory",
+        ..PLAIN
+    },
+    Case {
+        name: "a dossier whose manifest is cut off",
+        files: &[
+            PACKAGE[0],
+            RUST,
+            PACKAGE[2],
+            PACKAGE[3],
+            C,
+            MAP,
+            ("dossier/manifest.json", "{\"package\": \"mo"),
+        ],
+        words: &["dossier", "--check", "dossier"],
+        said: "`dossier` is no dossier",
+        ..PLAIN
+    },
+    Case {
+        name: "a dossier over a manifest of another program",
+        files: &[PACKAGE[0], RUST, PACKAGE[2], PACKAGE[3], C, MAP, ("dossier/manifest.json", "{}")],
+        words: &["dossier"],
+        said: "which no dossier wrote",
+        ..PLAIN
+    },
+    Case {
+        name: "requirements that are a folder",
+        files: MAPPED,
+        words: &["dossier", "--requirements", "src"],
+        said: "`src`: Is a directory",
+        ..PLAIN
+    },
+    Case {
+        name: "a requirement without an identifier",
+        files: &[
+            PACKAGE[0],
+            RUST,
+            PACKAGE[2],
+            PACKAGE[3],
+            C,
+            MAP,
+            ("hlr.csv", "id,text\nA,B\n,C\n"),
+        ],
+        words: &["dossier", "--requirements", "hlr.csv"],
+        said: "`hlr.csv`: requirement ",
+        ..PLAIN
+    },
+    Case {
+        name: "inputs without an entry point",
+        files: MAPPED,
+        words: &["dossier", "--inputs", "=flight.csv"],
+        said: "`=flight.csv` is no entry point with a file",
+        ..PLAIN
+    },
 ];

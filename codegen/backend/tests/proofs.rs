@@ -171,7 +171,7 @@ functions! {
         condition_that_writes, returned_behind_a_condition_that_writes,
         returned_as_the_firmware_gave_it, called_and_never_returned,
         divisor_of_a_narrower_type, left_beyond_a_bound, clamped_float_beyond,
-        smaller_float_without_a_largest, divisor_from_a_float, moved_on_in_a_loop,
+        smaller_float_without_a_largest, divisor_from_a_float, moved_on_in_a_loop, moved_up_in_a_loop,
         sum_of_too_many_signed_numbers, moved_up_and_back_before_a_continue_beyond,
         zeros_of_a_number_beyond, float_between_numbers_beyond, float_not_below_a_number,
         rest_of_a_length_beyond,

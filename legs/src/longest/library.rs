@@ -10,9 +10,9 @@ use bessemer_ir::{BinaryOp, Expr, ExprKind, Float, Intrinsic, Module};
 use super::{Cost, Processor};
 
 /// Names, and instructions on the Cortex-A9 and on the Cortex-M4. A remainder of floats subtracts once for each of up to
-/// 277 binary places of the quotient.
+/// 277 binary places of the quotient; its figure has all of them.
 const FUNCTIONS: &[(&str, u64, u64)] = &[
-    ("fmodf", 1_060, 1_040),
+    ("fmodf", 2_200, 2_050),
     ("sqrt", 24, 1_090),
     ("sqrtf", 24, 16),
     ("floor", 44, 116),
@@ -61,8 +61,9 @@ const COPY: u64 = 64;
 /// Most binary places of a quotient of doubles, each of which is one pass of `fmod`.
 const PLACES: u64 = 2_098;
 
-/// Instructions of `fmod` besides its passes, and of eight passes, on both processors.
-const REMAINDER: [(u64, u64); 2] = [(80, 88), (80, 81)];
+/// Instructions of `fmod` besides its passes, and of a pass: of a quotient whose binary places take the longer way. On the
+/// Cortex-A9 those of glibc, which has one more than newlib.
+const REMAINDER: (u64, u64) = (80, 14);
 
 /// Returns the most binary places of the quotient of a remainder in a module: fewer if all divisors are constants.
 pub fn places(module: &Module) -> u64 {
@@ -120,8 +121,8 @@ pub fn cost(processor: Processor, name: &str, bytes: Option<u64>, places: u64) -
     let instructions = match name {
         "memcpy" | "memset" | "memmove" => bytes? + COPY,
         "fmod" => {
-            let (besides, eight) = REMAINDER[usize::from(processor == Processor::M4f)];
-            besides + (places * eight).div_ceil(8)
+            let (besides, pass) = REMAINDER;
+            besides + places * pass
         }
         _ => {
             let (_, a9, m4f) = FUNCTIONS.iter().find(|it| it.0 == name)?;
@@ -140,6 +141,105 @@ pub fn cost(processor: Processor, name: &str, bytes: Option<u64>, places: u64) -
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::harness::MARKS;
+    use crate::longest::processor;
+    use crate::toolchain::{ARM, BARE_A9, CORTEX_M4F, Toolchain};
+    use crate::watch;
+
+    /// Dividends and divisors whose quotients have many binary places, of all kinds: nearly all ones, zeros, or mixed.
+    fn remainders() -> Vec<(f64, f64)> {
+        let ones = (1_u64 << 52) - 1;
+        let largest = |mantissa: u64| f64::from_bits(2046 << 52 | mantissa);
+        let mut pairs = Vec::new();
+        for divisor in [1.0, 3.0, std::f64::consts::TAU, f64::from_bits(1), f64::from_bits(ones)] {
+            let mixed = [0, 1, ones, 0x5_5555_5555_5555, 0x9_2492_4924_9249];
+            pairs.extend(mixed.map(|mantissa| (largest(mantissa), divisor)));
+        }
+        // The places of (m - 1) / m and of 1 / m have a period of nearly all ones, and of nearly all zeros.
+        for exponent in [1, 53, 1023] {
+            let divisor = f64::from_bits(exponent << 52 | ones);
+            pairs.extend([ones - 1, 0, 1].map(|mantissa| (largest(mantissa), divisor)));
+        }
+        pairs
+    }
+
+    fn remainders_of_floats() -> Vec<(f32, f32)> {
+        let ones = (1_u32 << 23) - 1;
+        let largest = |mantissa: u32| f32::from_bits(254 << 23 | mantissa);
+        let mut pairs = Vec::new();
+        for divisor in
+            [1.0, 3.0, f32::from_bits(1), f32::from_bits(ones), f32::from_bits(1 << 23 | ones)]
+        {
+            let mixed = [0, 1, ones - 1, ones, 0x25_5555];
+            pairs.extend(mixed.map(|mantissa| (largest(mantissa), divisor)));
+        }
+        pairs
+    }
+
+    /// Counts the calls on an emulated processor, with the instructions of their caller.
+    fn counts(
+        toolchain: &Toolchain,
+        pairs: &[(String, String)],
+        function: &str,
+        ty: &str,
+    ) -> Vec<u64> {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut text = format!(
+            "#include <math.h>\n#include <stdint.h>\n#include <stdlib.h>\n{MARKS}int main(void)\n{{\n    \
+             static volatile {ty} x;\n    static volatile {ty} y;\n    static volatile {ty} z;\n"
+        );
+        for (x, y) in pairs {
+            text += &format!(
+                "    x = {x}; y = {y};\n    bench_begin(); z = {function}(x, y); bench_end(); (void)z;\n"
+            );
+        }
+        text += "    exit(0);\n}\n";
+        let main = folder.path().join("remainders.c");
+        std::fs::write(&main, text).expect("a file");
+        let program = watch::built(toolchain, folder.path(), &main, &[]).expect("it compiles");
+        let own = folder.path().join(watch::FOLDER);
+        // The program writes no words.
+        std::fs::write(own.join("words.out"), "").expect("a file");
+        watch::counted(toolchain, &own, &program, &[]).expect("it runs").counts
+    }
+
+    /// No call takes more than its figure, and the figure is near the largest count.
+    #[test]
+    fn remainders_take_no_more_than_their_figures() {
+        // Instructions of `main` between the marks.
+        const CALLER: u64 = 16;
+        let doubles = remainders();
+        let floats = remainders_of_floats();
+        let texts = |it: &(f64, f64)| (format!("{:e}", it.0), format!("{:e}", it.1));
+        let of_doubles: Vec<_> = doubles.iter().map(texts).collect();
+        let texts = |it: &(f32, f32)| (format!("{:e}F", it.0), format!("{:e}F", it.1));
+        let of_floats: Vec<_> = floats.iter().map(texts).collect();
+        for toolchain in [ARM, BARE_A9, CORTEX_M4F].iter().filter(|it| it.is_there()) {
+            let processor = processor(toolchain).expect("the model has it");
+            let bound = |function, places| {
+                cost(processor, function, None, places).expect("a figure").instructions + CALLER
+            };
+            let mut most = 0;
+            for (pair, count) in
+                doubles.iter().zip(counts(toolchain, &of_doubles, "fmod", "double"))
+            {
+                let bound = bound("fmod", quotient(pair.1));
+                assert!(
+                    count <= bound,
+                    "{processor:?}: fmod of {pair:?} takes {count}, not {bound}"
+                );
+                most = most.max(100 * count / bound);
+            }
+            let single =
+                counts(toolchain, &of_floats, "fmodf", "float").into_iter().max().expect("a count");
+            let bound = bound("fmodf", 0);
+            assert!(single <= bound, "{processor:?}: fmodf takes {single}, not {bound}");
+            assert!(
+                most > 80 && 100 * single > 70 * bound,
+                "{processor:?}: {most} percent, {single} of {bound}"
+            );
+        }
+    }
 
     #[test]
     fn copies_cost_their_bytes_and_unknown_functions_have_no_cost() {

@@ -16,6 +16,7 @@ mod passes;
 mod paths;
 
 use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use bessemer_codegen::compile::Compiled;
@@ -94,21 +95,44 @@ pub fn longest(compiled: &Compiled, toolchain: &Toolchain) -> Result<Option<Vec<
     ))
 }
 
-/// Compiles each source to assembly, using all processors.
-fn assembled(toolchain: &Toolchain, sources: &[std::path::PathBuf]) -> Result<Vec<String>, String> {
-    let next = AtomicUsize::new(0);
-    let one = |source: &std::path::PathBuf| {
-        let output = source.with_extension("s");
-        let mut command = toolchain.command();
-        // The lines of the C stand beside the instructions, which they leave as they are.
-        command.args(["-S", "-g1", "-I"]).args(source.parent()).arg(source).arg("-o").arg(&output);
-        toolchain::run(&mut command)?;
-        std::fs::read_to_string(&output).map_err(|error| error.to_string())
+/// Returns the instructions of each function's caller in a program of [`counted`](crate::harness::counted).
+///
+/// Between the marks the program passes the arguments and takes the result, without a branch.
+///
+/// # Errors
+/// The message of the compiler or the system.
+pub fn callers(toolchain: &Toolchain, main: &Path, count: usize) -> Result<Vec<u64>, String> {
+    // The program is compiled without optimisation: see `Toolchain::around`.
+    let text = assembly_of(&Toolchain { level: 0, ..toolchain.clone() }, main)?;
+    let functions = assembly::functions(&text);
+    let caller = |index| {
+        let name = format!("call_{index}");
+        let function = functions.iter().find(|it| it.name == name)?;
+        let all: Vec<_> = function.blocks.iter().flat_map(|it| &it.instructions).collect();
+        let at = |mark: &str| all.iter().position(|it| it.step == Step::Call(mark.to_owned()));
+        Some(at("bench_end")?.checked_sub(at("bench_begin")?)? as u64)
     };
+    let all = (0..count).map(|it| caller(it).ok_or_else(|| format!("`call_{it}` has no marks")));
+    all.collect()
+}
+
+/// Compiles a source to assembly.
+fn assembly_of(toolchain: &Toolchain, source: &Path) -> Result<String, String> {
+    let output = source.with_extension("s");
+    let mut command = toolchain.command();
+    // The lines of the C stand beside the instructions, which they leave as they are.
+    command.args(["-S", "-g1", "-I"]).args(source.parent()).arg(source).arg("-o").arg(&output);
+    toolchain::run(&mut command)?;
+    std::fs::read_to_string(&output).map_err(|error| error.to_string())
+}
+
+/// Compiles each source to assembly, using all processors.
+fn assembled(toolchain: &Toolchain, sources: &[PathBuf]) -> Result<Vec<String>, String> {
+    let next = AtomicUsize::new(0);
     let work = || {
         let mut made = Vec::new();
         while let Some(source) = sources.get(next.fetch_add(1, Ordering::Relaxed)) {
-            made.push((source, one(source)));
+            made.push((source, assembly_of(toolchain, source)));
         }
         made
     };

@@ -7,6 +7,7 @@ use serde_json::json;
 use tera::{Context, Tera};
 
 use crate::content::Content;
+use crate::memory;
 use crate::trace::{Folder, Sources};
 
 const INDEX: &str = include_str!("../../templates/index.html.tera");
@@ -16,19 +17,22 @@ const INDEX_SCRIPT: &str = include_str!("../../templates/index.js");
 const TRACE_SCRIPT: &str = include_str!("../../templates/trace.js");
 
 /// Sections of the index: anchor and title.
-pub const SECTIONS: [(&str, &str); 15] = [
+pub const SECTIONS: [(&str, &str); 18] = [
     ("results", "Results"),
     ("components", "Components"),
     ("types", "Types"),
     ("faults", "Faults left"),
     ("functions", "Functions and stack"),
-    ("worst", "Estimated cost"),
+    ("memory", "Memory by lifetime"),
+    ("worst", "Worst case"),
     ("sizes", "Sizes"),
+    ("contracts", "Contracts"),
     ("requirements", "Requirements"),
     ("coverage", "Coverage"),
     ("change", "Changes"),
     ("misra", "MISRA C"),
     ("notes", "Notes on the tool"),
+    ("tests", "Tests of the tool"),
     ("crates", "Crates"),
     ("questions", "An auditor's questions"),
     ("identity", "Identity"),
@@ -41,6 +45,7 @@ pub const TRACE_PAGE: &str = "trace.html";
 pub fn index(content: &Content, identity: &[(String, String)]) -> String {
     let mut context = Context::from_serialize(content).expect("a struct becomes a context");
     context.insert("sections", &SECTIONS);
+    context.insert("memory", &memory::picture(&content.components));
     context.insert("identity", identity);
     rendered(INDEX, context, INDEX_SCRIPT)
 }

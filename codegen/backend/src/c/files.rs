@@ -7,6 +7,7 @@
 
 mod about;
 mod constants;
+mod contracts;
 mod copied;
 mod draft;
 mod includes;

@@ -52,7 +52,11 @@ pub fn header(
     };
     let copy = asked::Macro::Copy;
     let copies = helpers.iter().any(|it| it.needs_string()).then(|| copy.text(options));
+    // Helpers have no state and write nothing.
+    let contract = if options.contracts { "/*@ assigns \\nothing; */\n" } else { "" };
+    let begin = format!("{contract}static inline ");
     let texts = helpers.iter().map(|it| it.text(&copy.name(options)));
+    let texts = texts.map(|text| text.replace("static inline ", &begin));
     let items: Vec<Item> = copies.into_iter().chain(texts).map(Item::Verbatim).collect();
     Some(assemble(context, &name, &shell, true, &items))
 }

@@ -26,6 +26,7 @@ pub fn head(context: Context<'_>, id: StructId) -> Head {
         dimensions: String::new(),
     };
     Head {
+        contract: Vec::new(),
         asked: Vec::new(),
         storage: Storage::Extern,
         result: "void".to_owned(),

@@ -13,6 +13,7 @@ mod ascii;
 mod asked;
 mod assemble;
 mod choices;
+mod comments;
 mod const_names;
 mod context;
 mod corrupted;
@@ -57,11 +58,11 @@ mod wide;
 
 use bessemer_ir::{Module, Span};
 
+pub use comments::comment_text;
 pub use file::{CFile, MapLine};
 pub use library::Math;
 pub use matrices::Layout;
 pub use options::{Options, Standard};
-pub use print::comment_text;
 pub use report::{EntryReport, FunctionReport, Site};
 pub use reserved::is_reserved_globally as is_reserved;
 pub use units::Measured;

@@ -190,6 +190,7 @@ impl Names {
     /// Returns the head of a function.
     pub fn head(&self, signature: &Signature) -> Head {
         Head {
+            contract: Vec::new(),
             asked: Vec::new(),
             storage: signature.storage,
             result: match &signature.returned {

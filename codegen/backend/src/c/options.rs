@@ -113,6 +113,8 @@ pub struct Options {
     pub ascii: bool,
     /// True if each line has a comment with its line of Rust.
     pub trace_comments: bool,
+    /// True if functions and loops have contracts in ACSL.
+    pub contracts: bool,
     /// True if proved checks stay in the C and end the program when one fails. This tests the compiler and is not for a
     /// target.
     pub keep_checks: bool,
@@ -146,6 +148,7 @@ impl Default for Options {
             pragmas: true,
             ascii: false,
             trace_comments: false,
+            contracts: false,
             keep_checks: false,
         }
     }

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use tera::{Context, Tera};
 
-use super::print::comment_lines;
+use super::comments::comment_lines;
 
 /// Mark in a template that the body replaces.
 const BODY: &str = "\u{1}body\u{1}";

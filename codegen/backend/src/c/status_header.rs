@@ -43,6 +43,7 @@ pub fn header(context: Context<'_>, options: &Options) -> CFile {
     let hook = status.hook.as_ref().map(|name| Item::Prototype {
         docs: vec!["The firmware brings it: a fault calls it, and it does not return.".to_owned()],
         head: Head {
+            contract: Vec::new(),
             asked: Vec::new(),
             storage: Storage::Foreign,
             result: "void".to_owned(),

@@ -246,6 +246,8 @@ pub struct Stmt {
 pub enum StmtKind {
     /// A comment, by lines.
     Comment(Vec<String>),
+    /// Clauses of a contract, about the loop that follows.
+    Annotation(Vec<String>),
     /// A declaration.
     Declare(Declarator, Option<Init>),
     /// An expression for its effect.
@@ -388,6 +390,8 @@ pub enum Storage {
 /// Head of a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Head {
+    /// Clauses of its contract; empty if there is none.
+    pub contract: Vec<String>,
     /// Macros of compiler attributes.
     pub asked: Vec<String>,
     /// Storage class: `static`, `static inline`, ….

@@ -2,6 +2,7 @@
 //! takes it without a warning. Dropping in a file adds a test.
 
 mod compilers;
+mod contracts;
 #[allow(dead_code)]
 #[path = "../passes_random/generate.rs"]
 mod generate;

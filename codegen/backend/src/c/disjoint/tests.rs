@@ -11,6 +11,7 @@ fn param(ty: &str, name: &str, dimensions: &str) -> Declarator {
 
 fn function(name: &str, params: Vec<Declarator>, body: Vec<StmtKind>) -> Item {
     let head = Head {
+        contract: Vec::new(),
         asked: Vec::new(),
         storage: Storage::Static,
         result: "void".into(),

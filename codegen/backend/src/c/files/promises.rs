@@ -8,6 +8,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::contracts;
 use super::draft::Draft;
 use crate::c::assemble::assemble;
 use crate::c::context::Context;
@@ -28,6 +29,9 @@ pub(super) fn write(
 ) -> Option<CFile> {
     let functions = drafts.iter().flat_map(|draft| &draft.items);
     let unproved = disjoint::unproved(functions, &in_unions(context));
+    if options.contracts {
+        contracts::write(context, drafts, &unproved);
+    }
     let functions = context.module.functions.iter().zip(&context.names.functions);
     let kernels: BTreeSet<&str> =
         functions.filter(|(it, _)| it.kernel.is_some()).map(|(_, it)| it.name.as_str()).collect();

@@ -1,0 +1,190 @@
+//! Contracts of the small functions of the C that Frama-C's WP proves.
+//!
+//! The C is emitted anew with contracts, which changes its comments alone. Each prover has a bounded number of steps, so the
+//! count of proved goals does not depend on the speed of a machine unless a goal also meets the time limit.
+
+use std::path::Path;
+use std::process::Command;
+
+use bessemer_codegen::compile::{Compiled, Options};
+use bessemer_dossier::content::{Outcome, Proved};
+use bessemer_dossier::trace::Folder;
+use bessemer_legs::process;
+use bessemer_project::Project;
+
+use super::checks::{FAILED, NOT_RUN, PASSED, version};
+use super::outcome;
+
+/// Provers that WP can use, from the cheapest, and the program of each. Without one WP simplifies only.
+const PROVERS: [(&str, &str); 3] = [("alt-ergo", "alt-ergo"), ("cvc4", "cvc4"), ("z3", "z3")];
+/// Seconds that a prover may take for a goal.
+const SECONDS: &str = "2";
+/// Steps that a prover may take for a goal.
+const STEPS: &str = "20000";
+
+/// Most statements of a function that is proved: the goals of a long one take minutes.
+const SMALL: usize = 12;
+/// Macros by which the C does without the headers of processors, which Frama-C lacks.
+const PLAIN: &str = "-DBESSEMER_PLAIN -U__SSE2__ -U__AVX__";
+
+/// Proves contracts. Returns the outcome, and a row for each function.
+pub fn proved(project: &Project, compiled: &Compiled, c: &Folder) -> (Outcome, Vec<Proved>) {
+    let there = |program: &str| Command::new(program).arg("--version").output().is_ok();
+    let frama = version_of("frama-c", "-version");
+    let provers: Vec<_> = PROVERS.iter().filter(|it| there(it.1)).collect();
+    let versions = provers.iter().map(|it| version(it.1));
+    let versions: Vec<String> =
+        std::iter::once(format!("Frama-C {frama}")).chain(versions).collect();
+    let of = |verdict, detail: &str| {
+        let (what, command) = ("Contracts, by Frama-C's WP", "frama-c -wp -wp-rte");
+        outcome(what, command, versions.join("; "), verdict, detail.to_owned())
+    };
+    if frama.is_empty() {
+        let why = "frama-c is not installed (Debian: frama-c-base, why3, z3, cvc4)";
+        return (outcome_without(why), Vec::new());
+    }
+    let options = Options { contracts: true, hook: None, ..project.settings.options.clone() };
+    let compiled = match compiled.anew(&options) {
+        Ok(compiled) => compiled,
+        Err(wrong) => {
+            let said = wrong.first().map(|it| it.message.clone()).unwrap_or_default();
+            return (of(FAILED, &said), Vec::new());
+        }
+    };
+    let folder = match process::lay_out(&compiled) {
+        Ok(folder) => folder,
+        Err(error) => return (of(FAILED, &error.to_string()), Vec::new()),
+    };
+    let names: Vec<&str> = provers.iter().map(|it| it.0).collect();
+    let provers = if names.is_empty() { "none".to_owned() } else { names.join(",") };
+    let inlined = inlined(&compiled);
+    let prover = Prover { folder: folder.path(), provers, inlined };
+    let mut rows: Vec<Proved> = Vec::new();
+    for file in c.files.iter().filter(|it| it.name.ends_with(".c") && !it.rows.is_empty()) {
+        let small = file.functions.iter().filter(|it| it.statements.len() <= SMALL);
+        let names: Vec<&str> = small.map(|it| it.name.as_str()).collect();
+        if names.is_empty() {
+            continue;
+        }
+        // WP ends at the first function that its model of memory does not have: then the others on their own.
+        let together = prover.proved(&file.name, &names);
+        let alone = || {
+            let one = |name: &&str| {
+                let none = Proved { function: (*name).to_owned(), proved: 0, goals: 0 };
+                prover.proved(&file.name, &[name]).unwrap_or_else(|| vec![none])
+            };
+            names.iter().flat_map(one).collect()
+        };
+        rows.extend(together.unwrap_or_else(alone));
+    }
+    rows.sort_by(|one, other| one.function.cmp(&other.function));
+    rows.dedup();
+    let sum = |of: fn(&Proved) -> u64| rows.iter().map(of).sum::<u64>();
+    let whole = rows.iter().filter(|it| it.goals > 0 && it.proved == it.goals).count();
+    let detail = format!(
+        "{} of {} goals proved; {whole} of {} functions with at most {SMALL} statements wholly",
+        sum(|it| it.proved),
+        sum(|it| it.goals),
+        rows.len()
+    );
+    let verdict = if sum(|it| it.goals) == 0 { FAILED } else { PASSED };
+    (of(verdict, &detail), rows)
+}
+
+/// Returns the helpers whose bodies WP sees at each call. One that copies the bits of a number is not among them: WP's model of
+/// memory has types.
+fn inlined(compiled: &Compiled) -> String {
+    let mut names = Vec::new();
+    for file in compiled.files.iter().filter(|it| it.name.ends_with("_helpers.h")) {
+        for text in file.text.split("static inline ").skip(1) {
+            let body = text.split("\n}").next().unwrap_or_default();
+            let name = text.split('(').next().and_then(|head| head.split_whitespace().last());
+            let copies = body.contains("sizeof");
+            names.extend(name.filter(|_| !copies).map(|it| it.trim_start_matches('*').to_owned()));
+        }
+    }
+    names.join(",")
+}
+
+/// Runs WP.
+struct Prover<'f> {
+    folder: &'f Path,
+    /// The provers, separated by commas.
+    provers: String,
+    /// Functions that are inlined, separated by commas.
+    inlined: String,
+}
+
+impl Prover<'_> {
+    /// Proves functions of a file; none if WP ends early.
+    fn proved(&self, file: &str, functions: &[&str]) -> Option<Vec<Proved>> {
+        let report = self.folder.join("wp-report.json");
+        let _ = std::fs::remove_file(&report);
+        let mut command = Command::new("frama-c");
+        command.args(["-wp", "-wp-rte", "-machdep", "gcc_x86_64"]);
+        if !self.inlined.is_empty() {
+            command.args(["-inline-calls", &self.inlined]);
+        }
+        // Infinite numbers and NaN are values as any other.
+        command.args(["-warn-special-float", "none"]);
+        command.args(["-wp-timeout", SECONDS, "-wp-steps", STEPS, "-wp-prover", &self.provers]);
+        command.arg("-wp-fct").arg(functions.join(","));
+        command.arg("-wp-report-json").arg(&report);
+        command.arg(format!("-cpp-extra-args=-I{} {PLAIN}", self.folder.display()));
+        command.arg(self.folder.join(file)).stdin(std::process::Stdio::null());
+        command.output().ok()?;
+        rows(&report)
+    }
+}
+
+/// Returns the outcome if WP was not run.
+pub fn outcome_without(why: &str) -> Outcome {
+    let (what, command) = ("Contracts, by Frama-C's WP", "frama-c -wp -wp-rte");
+    outcome(what, command, String::new(), NOT_RUN, why.to_owned())
+}
+
+/// Returns the output of a program with a flag; nothing if it is absent.
+fn version_of(program: &str, flag: &str) -> String {
+    let output = Command::new(program).arg(flag).output();
+    let text = output.map(|it| String::from_utf8_lossy(&it.stdout).trim().to_owned());
+    text.unwrap_or_default()
+}
+
+/// Reads the report of WP: goals and proved ones by function.
+fn rows(report: &Path) -> Option<Vec<Proved>> {
+    let text = std::fs::read_to_string(report).ok()?;
+    let json: serde_json::Value = serde_json::from_str(&text).ok()?;
+    let functions = json.get("wp:functions")?.as_object()?;
+    let mut rows: Vec<Proved> = functions
+        .iter()
+        .map(|(function, goals)| {
+            let main = goals.get("wp:section").and_then(|it| it.get("wp:main"));
+            let count = |key: &str| {
+                main.and_then(|it| it.get(key)).and_then(serde_json::Value::as_u64).unwrap_or(0)
+            };
+            Proved { function: function.clone(), proved: count("valid"), goals: count("total") }
+        })
+        .collect();
+    rows.sort_by(|one, other| one.function.cmp(&other.function));
+    Some(rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_report_of_wp_has_goals_by_function() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("wp.json");
+        let text = r#"{ "wp:global": {}, "wp:functions": {
+            "motor_step": { "motor_step_assigns": { "wp:main": { "total": 2 } },
+                "wp:section": { "qed": { "total": 3 }, "wp:main": { "total": 5, "valid": 4 } } },
+            "motor_init": { "wp:section": { "wp:main": { "total": 1, "valid": 1 } } } } }"#;
+        std::fs::write(&path, text).expect("a file");
+        let row =
+            |function: &str, proved, goals| Proved { function: function.to_owned(), proved, goals };
+        assert_eq!(rows(&path), Some(vec![row("motor_init", 1, 1), row("motor_step", 4, 5)]));
+        assert_eq!(rows(&folder.path().join("none")), None);
+    }
+}
