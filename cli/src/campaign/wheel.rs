@@ -85,3 +85,36 @@ pub fn write(
     std::fs::write(&path, bytes).map_err(failed)?;
     Ok(path)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Read as _;
+
+    #[test]
+    fn a_wheel_has_an_executable_program_and_a_record_of_each_file() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let program = folder.path().join("campaign");
+        std::fs::write(&program, "#!/bin/sh\n").expect("a program");
+        let dist = folder.path().join("dist");
+        let path = write(&dist, "my-convoy", "0.1.0", &program).expect("a wheel");
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        assert!(name.starts_with("my_convoy_campaign-0.1.0-py3-none-"), "{name}");
+        let file = std::fs::File::open(&path).expect("the wheel");
+        let mut wheel = zip::ZipArchive::new(file).expect("an archive");
+        let program = wheel.by_name("my_convoy_campaign/program").expect("the program");
+        assert_eq!(program.unix_mode().map(|mode| mode & 0o777), Some(0o755));
+        drop(program);
+        let mut record = String::new();
+        let mut file = wheel.by_name("my_convoy_campaign-0.1.0.dist-info/RECORD").expect("it");
+        file.read_to_string(&mut record).expect("a text");
+        drop(file);
+        for name in wheel.file_names() {
+            assert!(record.lines().any(|line| line.starts_with(&format!("{name},"))), "{record}");
+        }
+        // The hash of the program, by sha256sum and base64.
+        let line =
+            "my_convoy_campaign/program,sha256=qAdtPSjSHgIBKyDq99v3VAmmJ3E0Q5Al8oLjaOMwWr8,10\n";
+        assert!(record.contains(line), "{record}");
+    }
+}

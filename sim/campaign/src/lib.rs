@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`campaign`] | what you write: the name, the columns, and one run |
 //! | [`row`], [`file`] | the result of a run, and the file of all: append-only, locked, with the hash of the models |
-//! | [`seeds`], [`run`] | ranges of seeds, shards, and runs on all cores |
+//! | [`mod@seeds`], [`mod@run`] | ranges of seeds, shards, and runs on all cores |
 //! | [`summary`], [`bounds`], [`page`] | distributions, faults, confidence bounds, worst seeds: as text, JSON and HTML |
 //! | [`rare`] | probabilities of failures too rare for plain sampling |
 //! | [`program`] | the command line around it all, which `cargo bessemer campaign` calls |
