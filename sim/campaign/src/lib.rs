@@ -3,7 +3,7 @@
 //! | module | purpose |
 //! |---|---|
 //! | [`campaign`] | what you write: the name, the columns, and one run |
-//! | [`row`], [`file`] | the result of a run, and the file of all: append-only, locked, with the hash of the models |
+//! | [`row`], [`mod@file`] | the result of a run, and the file of all: append-only, locked, with the hash of the models |
 //! | [`mod@seeds`], [`mod@run`] | ranges of seeds, shards, and runs on all cores |
 //! | [`summary`], [`bounds`], [`page`] | distributions, faults, confidence bounds, worst seeds: as text, JSON and HTML |
 //! | [`rare`] | probabilities of failures too rare for plain sampling |
