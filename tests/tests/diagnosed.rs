@@ -9,7 +9,7 @@ use bessemer_tests::turn;
 use bessemer_tests::workspace::Workspace;
 
 #[test]
-fn each_is_told_in_its_authors_terms() {
+fn each_error_has_its_authors_terms() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("diagnosed");
     let mut cases: Vec<PathBuf> = fs::read_dir(folder)
         .expect("the cases")

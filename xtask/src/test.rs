@@ -4,7 +4,7 @@
 //! - no test runs before every tool that the run needs is there; what is missing is installed beside the build;
 //! - the tests come last, those of the documentation and the mutants beside them, which count as one test more each, and
 //!   behind them the mutants whose tests need what these store; the summary of all is the last line of a run that got so far;
-//! - of the tests that take longest, a run leaves out those of the other turn, and prints how many;
+//! - of the tests that take longest, a run leaves out those of another turn, and prints how many;
 //! - the tests are told what to run through the environment, never by guessing from what is installed:
 //!   `BESSEMER_LEGS` names the machines, `BESSEMER_FULL` says that nothing may be left out, `BESSEMER_TURN` is the
 //!   number by which a run that leaves something out takes turns.
@@ -256,7 +256,7 @@ fn report(
         anstream::println!("\nfailed: {}", test.title);
     }
     if left_out > 0 {
-        anstream::println!("\n{left_out} tests are those of the other turn; `--full` runs all");
+        anstream::println!("\n{left_out} tests are those of another turn; `--full` runs all");
     }
     anstream::println!("\n{} passed, {} failed", done.len() - failed.len(), failed.len());
 }

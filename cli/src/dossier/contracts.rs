@@ -5,15 +5,16 @@
 
 use std::path::Path;
 use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_dossier::content::{Outcome, Proved};
-use bessemer_dossier::trace::Folder;
+use bessemer_dossier::trace::{File, Folder};
 use bessemer_legs::process;
 use bessemer_project::Project;
 
 use super::checks::{FAILED, NOT_RUN, PASSED, version};
-use super::outcome;
+use super::{joined, outcome};
 
 /// Provers that WP can use, from the cheapest, and the program of each. Without one WP simplifies only.
 const PROVERS: [(&str, &str); 3] = [("alt-ergo", "alt-ergo"), ("cvc4", "cvc4"), ("z3", "z3")];
@@ -59,24 +60,13 @@ pub fn proved(project: &Project, compiled: &Compiled, c: &Folder) -> (Outcome, V
     let provers = if names.is_empty() { "none".to_owned() } else { names.join(",") };
     let inlined = inlined(&compiled);
     let prover = Prover { folder: folder.path(), provers, inlined };
-    let mut rows: Vec<Proved> = Vec::new();
-    for file in c.files.iter().filter(|it| it.name.ends_with(".c") && !it.rows.is_empty()) {
+    let small = |file: &File| {
         let small = file.functions.iter().filter(|it| it.statements.len() <= SMALL);
-        let names: Vec<&str> = small.map(|it| it.name.as_str()).collect();
-        if names.is_empty() {
-            continue;
-        }
-        // WP ends at the first function that its model of memory does not have: then the others on their own.
-        let together = prover.proved(&file.name, &names);
-        let alone = || {
-            let one = |name: &&str| {
-                let none = Proved { function: (*name).to_owned(), proved: 0, goals: 0 };
-                prover.proved(&file.name, &[name]).unwrap_or_else(|| vec![none])
-            };
-            names.iter().flat_map(one).collect()
-        };
-        rows.extend(together.unwrap_or_else(alone));
-    }
+        small.map(|it| it.name.clone()).collect::<Vec<_>>()
+    };
+    let files = c.files.iter().filter(|it| it.name.ends_with(".c") && !it.rows.is_empty());
+    let files: Vec<_> = files.map(|it| (it.name.as_str(), small(it))).collect();
+    let mut rows = prover.all(&files);
     rows.sort_by(|one, other| one.function.cmp(&other.function));
     rows.dedup();
     let sum = |of: fn(&Proved) -> u64| rows.iter().map(of).sum::<u64>();
@@ -116,9 +106,40 @@ struct Prover<'f> {
 }
 
 impl Prover<'_> {
+    /// Proves functions of all files, on all processors.
+    fn all(&self, files: &[(&str, Vec<String>)]) -> Vec<Proved> {
+        let next = AtomicUsize::new(0);
+        let work = || {
+            let mut rows = Vec::new();
+            while let Some((file, functions)) = files.get(next.fetch_add(1, Ordering::Relaxed)) {
+                rows.extend(self.of_file(file, functions));
+            }
+            rows
+        };
+        let workers = std::thread::available_parallelism().map_or(1, usize::from);
+        std::thread::scope(|scope| {
+            let workers: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+            workers.into_iter().flat_map(joined).collect()
+        })
+    }
+
+    /// Proves functions of a file. WP ends at the first one that its model of memory does not have: then each on its own.
+    fn of_file(&self, file: &str, functions: &[String]) -> Vec<Proved> {
+        if functions.is_empty() {
+            return Vec::new();
+        }
+        self.proved(file, functions).unwrap_or_else(|| {
+            let one = |name: &String| {
+                let none = Proved { function: name.clone(), proved: 0, goals: 0 };
+                self.proved(file, std::slice::from_ref(name)).unwrap_or_else(|| vec![none])
+            };
+            functions.iter().flat_map(one).collect()
+        })
+    }
+
     /// Proves functions of a file; none if WP ends early.
-    fn proved(&self, file: &str, functions: &[&str]) -> Option<Vec<Proved>> {
-        let report = self.folder.join("wp-report.json");
+    fn proved(&self, file: &str, functions: &[String]) -> Option<Vec<Proved>> {
+        let report = self.folder.join(format!("{file}.wp.json"));
         let _ = std::fs::remove_file(&report);
         let mut command = Command::new("frama-c");
         command.args(["-wp", "-wp-rte", "-machdep", "gcc_x86_64"]);

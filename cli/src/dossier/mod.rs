@@ -396,3 +396,8 @@ fn outcome(
 ) -> Outcome {
     Outcome { what: what.to_owned(), command: command.to_owned(), version, verdict, detail }
 }
+
+/// Returns the result of a thread; a panic goes on in this one.
+fn joined<T>(thread: std::thread::ScopedJoinHandle<'_, T>) -> T {
+    thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+}

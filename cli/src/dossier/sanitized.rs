@@ -1,4 +1,4 @@
-//! Runs of the C with the sanitizers of gcc and clang.
+//! Runs of the C with the sanitizers of gcc and clang, at the same time.
 
 use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_dossier::content::{Outcome, grouped};
@@ -7,7 +7,7 @@ use bessemer_project::Project;
 
 use super::checks::{FAILED, NOT_RUN, PASSED, first_error, version};
 use super::known::Known;
-use super::outcome;
+use super::{joined, outcome};
 use crate::error::Error;
 use crate::verify::sanitized::{Program, compilers};
 use crate::verify::search::Life;
@@ -15,13 +15,13 @@ use crate::verify::search::Life;
 /// Runs all calls with each compiler's sanitizers.
 pub fn checked(project: &Project, compiled: &Compiled, calls: &Known<'_>) -> Vec<Outcome> {
     let standard = project.settings.options.standard;
-    let one = |toolchain: Toolchain| {
+    let one = &|toolchain: Toolchain, with_tests: bool| {
         let compiler = version(toolchain.compiler);
         let of = |verdict, detail| {
             let what = format!("Sanitizers of {}", toolchain.compiler);
             outcome(&what, "cargo bessemer dossier", compiler.clone(), verdict, detail)
         };
-        match run(project, compiled, &toolchain.clone().of(standard), calls) {
+        match run(project, compiled, &toolchain.clone().of(standard), (calls, with_tests)) {
             Ok((count, None)) => {
                 let count = grouped(count as u64);
                 of(PASSED, format!("{count} calls, no report of an address or undefined behaviour"))
@@ -34,7 +34,17 @@ pub fn checked(project: &Project, compiled: &Compiled, calls: &Known<'_>) -> Vec
             Err(error) => of(FAILED, error.to_string()),
         }
     };
-    compilers().into_iter().map(one).collect()
+    let compilers = compilers();
+    // The calls of tests, which may be millions, under the first compiler alone.
+    let first = compilers.first().map(|it| it.compiler);
+    std::thread::scope(|scope| {
+        let one = |it: Toolchain| {
+            let with_tests = first == Some(it.compiler);
+            move || one(it, with_tests)
+        };
+        let runs: Vec<_> = compilers.into_iter().map(|it| scope.spawn(one(it))).collect();
+        runs.into_iter().map(joined).collect()
+    })
 }
 
 /// Returns the number of calls, and a report if there is one.
@@ -42,7 +52,7 @@ fn run(
     project: &Project,
     compiled: &Compiled,
     toolchain: &Toolchain,
-    calls: &Known<'_>,
+    (calls, with_tests): (&Known<'_>, bool),
 ) -> Result<(usize, Option<String>), Error> {
     let options = Options { hook: None, ..project.settings.options.clone() };
     let mut program = Program::build(compiled, &options, &calls.functions, toolchain)?;
@@ -50,6 +60,9 @@ fn run(
         return Ok((program.calls, Some(report)));
     }
     let mut found = None;
+    if !with_tests {
+        return Ok((program.calls, found));
+    }
     calls.of_tests(compiled, |life: Life| {
         if found.is_none() {
             found = program.run(&[life])?;

@@ -338,7 +338,7 @@ fn every(count: usize, number: usize, cases: &[Case]) -> Vec<Case> {
 
 /// Each file of C includes what it needs: compiled with others, one could do so for another.
 #[test]
-fn each_file_stands_by_itself() {
+fn each_file_compiles_alone() {
     let toolchains = toolchain::host();
     let Some(toolchain) = toolchains.first() else { return };
     once("each file by itself", &texts(&corpus().files), || {
