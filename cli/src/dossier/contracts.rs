@@ -24,7 +24,7 @@ const SECONDS: &str = "2";
 const STEPS: &str = "20000";
 
 /// Most statements of a function that is proved: the goals of a long one take minutes.
-const SMALL: usize = 12;
+const SMALL: usize = 8;
 /// Macros by which the C does without the headers of processors, which Frama-C lacks.
 const PLAIN: &str = "-DBESSEMER_PLAIN -U__SSE2__ -U__AVX__";
 

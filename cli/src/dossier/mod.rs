@@ -28,6 +28,7 @@ use bessemer_dossier::scan::Kind;
 use bessemer_dossier::trace::{Folder, Workspace};
 use bessemer_dossier::{output, page};
 use bessemer_legs::longest;
+use bessemer_legs::toolchain::Toolchain;
 use bessemer_project::Project;
 
 use crate::args::Dossier;
@@ -180,15 +181,25 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
         let (outcome, rows) = contracts::proved(&project, &compiled, &c);
         results.push(outcome);
         proved = rows;
-        for (name, toolchain) in checks::targets() {
-            if longest::processor(&toolchain).is_some() {
-                say(&format!("finding the longest paths on {name}, and counting calls"));
-                let (outcome, rows) = worst::paths(&project, &compiled, name, &toolchain, &calls);
-                results.push(outcome);
-                paths.extend(rows);
-            }
+        let targets = checks::targets();
+        say("finding the longest paths, and counting calls");
+        let (project, compiled, calls) = (&project, &compiled, &calls);
+        let of_target = |(name, toolchain): &(&'static str, Toolchain)| {
+            let (name, toolchain) = (*name, toolchain.clone());
+            move || worst::paths(project, compiled, name, &toolchain, calls)
+        };
+        let known = targets.iter().filter(|it| longest::processor(&it.1).is_some());
+        let found = std::thread::scope(|scope| {
+            let runs: Vec<_> = known.map(|it| scope.spawn(of_target(it))).collect();
+            runs.into_iter().map(joined).collect::<Vec<_>>()
+        });
+        for (outcome, rows) in found {
+            results.push(outcome);
+            paths.extend(rows);
+        }
+        for (name, toolchain) in targets {
             say(&format!("measuring sizes on {name}"));
-            let (outcome, rows) = checks::sizes(&project, &compiled, name, toolchain);
+            let (outcome, rows) = checks::sizes(project, compiled, name, toolchain);
             results.push(outcome);
             sizes.extend(rows);
         }
