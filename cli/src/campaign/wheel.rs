@@ -33,6 +33,22 @@ fn platform() -> String {
     }
 }
 
+/// Returns the version of a package as Python writes it: `0.1.0-beta.2` is `0.1.0b2`. A version that it has no form for is one
+/// of development.
+fn version_in_python(version: &str) -> String {
+    let plain = version.split('+').next().unwrap_or_default();
+    let Some((base, before)) = plain.split_once('-') else { return plain.to_owned() };
+    let (name, number) = before.split_once('.').unwrap_or((before, "0"));
+    let letter = match name {
+        "alpha" => "a",
+        "beta" => "b",
+        "rc" => "rc",
+        _ => ".dev",
+    };
+    let number = if number.bytes().all(|it| it.is_ascii_digit()) { number } else { "0" };
+    format!("{base}{letter}{number}")
+}
+
 /// Writes the wheel into a folder; returns its path.
 ///
 /// # Errors
@@ -44,6 +60,7 @@ pub fn write(
     program: &Path,
 ) -> Result<PathBuf, Error> {
     let module = module(package);
+    let version = version_in_python(version);
     let read = std::fs::read(program);
     let program = read.map_err(|source| Error::File { path: program.to_owned(), source })?;
     let tag = format!("py3-none-{}", platform());
@@ -90,6 +107,20 @@ pub fn write(
 mod tests {
     use super::*;
     use std::io::Read as _;
+
+    /// A `-` in the version would end it in the name of the file.
+    #[test]
+    fn versions_have_pythons_form() {
+        for (rust, python) in [
+            ("0.1.0", "0.1.0"),
+            ("1.2.3-alpha.4", "1.2.3a4"),
+            ("1.2.3-rc.1+f00", "1.2.3rc1"),
+            ("1.2.3-beta", "1.2.3b0"),
+            ("1.2.3-night.x", "1.2.3.dev0"),
+        ] {
+            assert_eq!(version_in_python(rust), python, "{rust}");
+        }
+    }
 
     #[test]
     fn a_wheel_has_an_executable_program_and_a_record_of_each_file() {
