@@ -112,6 +112,14 @@ pub enum Error {
         /// The compiler's message.
         said: String,
     },
+    /// The instructions of calls could not be counted.
+    #[error("calls on {name} cannot be counted: {said}")]
+    Uncounted {
+        /// Name of the compiler.
+        name: String,
+        /// Message of the emulator.
+        said: String,
+    },
     /// The program around the Rust could not be made.
     #[error("the native test program cannot be built: {said}")]
     Native {
@@ -230,6 +238,7 @@ impl Error {
             | Error::File { .. }
             | Error::Compiler { .. }
             | Error::Campaign { .. }
+            | Error::Uncounted { .. }
             | Error::Native { .. } => return None,
         })
     }

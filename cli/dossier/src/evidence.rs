@@ -279,6 +279,14 @@ mod tests {
         assert_eq!(own, of_page);
     }
 
+    /// The figure on the page is the number of patches that there are.
+    #[test]
+    fn the_page_has_the_number_of_mutants() {
+        let patches = std::fs::read_dir(root().join("tests/mutants")).expect("a folder").count();
+        let row = rows::<3>(TESTS).find(|row| row[0].contains("tests/mutants")).expect("a row");
+        assert!(row[1].contains(&format!(" of {patches} ")), "{patches}: {}", row[1]);
+    }
+
     #[test]
     fn there_are_forty_questions_and_each_has_an_answer() {
         let rows: Vec<_> = rows::<4>(QUESTIONS).collect();

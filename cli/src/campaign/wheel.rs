@@ -33,8 +33,9 @@ fn platform() -> String {
     }
 }
 
-/// Returns the version of a package as Python writes it: `0.1.0-beta.2` is `0.1.0b2`. A version that it has no form for is one
-/// of development.
+/// Returns the version of a package as Python writes it: `0.1.0-beta.2` is `0.1.0b2`.
+///
+/// Any other pre-release becomes one of development.
 fn version_in_python(version: &str) -> String {
     let plain = version.split('+').next().unwrap_or_default();
     let Some((base, before)) = plain.split_once('-') else { return plain.to_owned() };

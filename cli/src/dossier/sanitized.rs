@@ -1,6 +1,6 @@
 //! Runs of the C with the sanitizers of gcc and clang, at the same time.
 
-use bessemer_codegen::compile::{Compiled, Options};
+use bessemer_codegen::compile::Compiled;
 use bessemer_dossier::content::{Outcome, grouped};
 use bessemer_legs::toolchain::Toolchain;
 use bessemer_project::Project;
@@ -9,6 +9,7 @@ use super::checks::{FAILED, NOT_RUN, PASSED, first_error, version};
 use super::known::Known;
 use super::{joined, outcome};
 use crate::error::Error;
+use crate::verify::lives;
 use crate::verify::sanitized::{Program, compilers};
 use crate::verify::search::Life;
 
@@ -54,8 +55,10 @@ fn run(
     toolchain: &Toolchain,
     (calls, with_tests): (&Known<'_>, bool),
 ) -> Result<(usize, Option<String>), Error> {
-    let options = Options { hook: None, ..project.settings.options.clone() };
-    let mut program = Program::build(compiled, &options, &calls.functions, toolchain)?;
+    let without_hook = lives::without_hook(project, compiled)?;
+    let c = without_hook.as_ref().unwrap_or(compiled);
+    let options = lives::options(project);
+    let mut program = Program::build(c, &options, &calls.functions, toolchain)?;
     if let Some(report) = program.run(&calls.lives)? {
         return Ok((program.calls, Some(report)));
     }

@@ -6,10 +6,11 @@
 //! It must not know where the lives come from.
 
 use bessemer_codegen::compile::{Compiled, Options};
-use bessemer_ir::FunctionId;
+use bessemer_ir::{FunctionId, Module};
 use bessemer_legs::toolchain::Toolchain;
 use bessemer_legs::{harness, longest, process, watch};
 
+use super::lives::laid_out;
 use super::search::Life;
 use crate::error::Error;
 
@@ -38,12 +39,10 @@ impl Counter {
         toolchain: &Toolchain,
     ) -> Result<Counter, Error> {
         let failed = |said: String| Error::Compiler { name: toolchain.name(), said };
-        let folder = process::lay_out(compiled).map_err(|error| failed(error.to_string()))?;
-        let params = |id: &FunctionId| compiled.module.functions[id.index()].params;
-        let taken: Vec<(FunctionId, u32)> = functions.iter().map(|id| (*id, params(id))).collect();
-        let text = harness::counted(&compiled.explicit, &taken, options, toolchain.bare);
-        let main = folder.path().join("counted_main.c");
-        std::fs::write(&main, text).map_err(|source| Error::File { path: main.clone(), source })?;
+        let text = |module: &Module, taken: &[(FunctionId, u32)]| {
+            harness::counted(module, taken, options, toolchain.bare)
+        };
+        let (folder, main) = laid_out(compiled, functions, text)?;
         let program = watch::built(toolchain, folder.path(), &main, folder.sources());
         let program = program.map_err(failed)?;
         let callers = longest::callers(toolchain, &main, functions.len()).map_err(failed)?;
@@ -63,7 +62,10 @@ impl Counter {
     /// The message of the emulator or the system.
     pub fn count(&mut self, lives: &[Life]) -> Result<Vec<u64>, Error> {
         let input: Vec<u8> = lives.iter().flat_map(Life::bytes).collect();
-        let failed = |said: String| Error::Compiler { name: self.toolchain.name(), said };
+        let failed = |said: String| {
+            let said = said.replace(&self.folder.path().display().to_string(), ".");
+            Error::Uncounted { name: self.toolchain.name(), said }
+        };
         let own = self.folder.path().join(watch::FOLDER);
         let watched = watch::counted(&self.toolchain, &own, &self.program, &input);
         let counts = watched.map_err(failed)?.counts;

@@ -17,6 +17,7 @@ use bessemer_project::Project;
 use bessemer_words::record::{self, Calls};
 use tempfile::TempDir;
 
+use super::lives;
 use super::parts::widths;
 use super::search::{Life, Search};
 use super::{Inputs, chosen, recorded};
@@ -47,20 +48,9 @@ pub fn covered<'c>(
     let toolchain = toolchain::host().into_iter().next().ok_or(Error::NoCompiler)?;
     let standard = project.settings.options.standard;
     let toolchain = Toolchain { level: 0, ..toolchain.of(standard) };
-    // The firmware's own function at a fault is not in the program.
-    let options = Options { hook: None, ..project.settings.options.clone() };
-    let without_hook;
-    let compiled = match project.settings.options.hook {
-        None => compiled,
-        Some(_) => {
-            let anew = compiled.anew(&options);
-            without_hook = anew.map_err(|wrong| Error::Compiler {
-                name: "bessemer".to_owned(),
-                said: wrong.into_iter().map(|it| it.message).collect(),
-            })?;
-            &without_hook
-        }
-    };
+    let options = lives::options(project);
+    let without_hook = lives::without_hook(project, compiled)?;
+    let compiled = without_hook.as_ref().unwrap_or(compiled);
     let texts = compiled.files.iter().map(|it| (it.name.as_str(), it.text.as_str()));
     let authored = |name: &str| {
         let file = compiled.files.iter().find(|it| it.name == name);
@@ -204,9 +194,8 @@ impl Program {
                 sources.push(path);
             }
         }
-        let params = |id: FunctionId| compiled.module.functions[id.index()].params;
-        let taken: Vec<(FunctionId, u32)> =
-            search.targets.iter().map(|it| (it.id, params(it.id))).collect();
+        let functions: Vec<FunctionId> = search.targets.iter().map(|it| it.id).collect();
+        let taken = lives::taken(&compiled.module, &functions);
         let main = harness::lives(&compiled.explicit, &taken, options);
         let main = instrument::writing(&main);
         let main = main.ok_or_else(|| failed("the program has no `main`".to_owned()))?;

@@ -9,6 +9,7 @@ pub(crate) mod counted;
 pub(crate) mod covered;
 mod emulated;
 mod lines;
+pub(crate) mod lives;
 mod native;
 mod outputs;
 mod parts;

@@ -6,10 +6,11 @@ use std::io::{Seek as _, Write as _};
 use std::process::Stdio;
 
 use bessemer_codegen::compile::{Compiled, Options};
-use bessemer_ir::FunctionId;
+use bessemer_ir::{FunctionId, Module};
 use bessemer_legs::toolchain::{CLANG, GCC, Toolchain};
 use bessemer_legs::{harness, process};
 
+use super::lives::laid_out;
 use super::search::Life;
 use crate::error::Error;
 
@@ -43,12 +44,9 @@ impl Program {
         toolchain: &Toolchain,
     ) -> Result<Program, Error> {
         let failed = |said: String| Error::Compiler { name: toolchain.name(), said };
-        let folder = process::lay_out(compiled).map_err(|error| failed(error.to_string()))?;
-        let params = |id: &FunctionId| compiled.module.functions[id.index()].params;
-        let taken: Vec<(FunctionId, u32)> = functions.iter().map(|id| (*id, params(id))).collect();
-        let text = harness::lives(&compiled.explicit, &taken, options);
-        let main = folder.path().join("sanitized_main.c");
-        std::fs::write(&main, text).map_err(|source| Error::File { path: main.clone(), source })?;
+        let text =
+            |module: &Module, taken: &[(FunctionId, u32)]| harness::lives(module, taken, options);
+        let (folder, main) = laid_out(compiled, functions, text)?;
         let path = folder.path().join("sanitized");
         let include = format!("-I{}", folder.path().display());
         let flags: Vec<&str> = FLAGS.into_iter().chain([include.as_str()]).collect();

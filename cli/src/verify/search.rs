@@ -246,6 +246,24 @@ mod tests {
         assert_eq!((first, changed), lives());
     }
 
+    /// A component is no argument of its entry points and of its other public methods.
+    ///
+    /// As an argument, its words would be read as those of the next one.
+    #[test]
+    fn a_component_is_no_argument_of_its_methods() {
+        let mut module = module();
+        for function in module.functions.iter_mut().filter(|it| it.role == Role::Private) {
+            function.role = Role::Public;
+        }
+        // `height_settled` is no entry point.
+        for (name, arguments) in [("step", 5), ("settled", 1)] {
+            let all = targets(&module);
+            let is_it = |it: &&Target| module.functions[it.id.index()].name == name;
+            let target = all.iter().find(is_it).expect("it is there");
+            assert_eq!(target.arguments.len(), arguments, "{name}");
+        }
+    }
+
     #[test]
     fn the_lives_that_are_kept_are_bounded() {
         let module = module();

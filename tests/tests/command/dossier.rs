@@ -33,11 +33,19 @@ pub fn run(package: &Path) {
     let (text, good) =
         dossier_of(package, &["--fill", "2"]).unwrap_or_else(|error| panic!("{error}"));
     assert!(good, "{text}");
-    for check in
-        ["Tests of the package: ", "Rust, interpreter and C agree: ", "Coverage of the C: "]
-    {
+    for check in [
+        "Tests of the package: ",
+        "Rust, interpreter and C agree: ",
+        "Coverage of the C: ",
+        "Sanitizers of gcc: ",
+    ] {
         assert!(text.contains(&format!("passed    {check}")), "{text}");
     }
+    // Where emulator and Frama-C are installed.
+    for line in text.lines().filter(|it| it.starts_with("passed    Longest paths on ")) {
+        assert!(line.ends_with("none beyond its bound"), "{line}");
+    }
+    assert!(!text.lines().any(|it| it.contains("WP ends early")), "{text}");
     let page = fs::read_to_string(folder.join("index.html")).expect("the page");
     for part in ["motor_step", "id=\"questions\"", "MC/DC", "closed", "by --fill in 2 rounds"] {
         assert!(page.contains(part), "the page has no {part}");
