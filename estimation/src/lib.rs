@@ -12,7 +12,8 @@
 //! * [`unscented`]: a distribution behind a function, without its derivative; [`Symmetric::correct_unscented`] and
 //!   [`Rooted`] filter by it.
 //! * [`smoothed`]: a recorded filter, corrected by what came after.
-//! * [`Diagonal`], [`Selection`], [`UpperTriangular`]: structured matrices whose products skip the zeros.
+//! * [`Diagonal`], [`Selection`], [`UpperTriangular`]: structured matrices whose products skip the zeros;
+//!   [`BlockSparse`]: a matrix of blocks, most of which are zero by its type.
 //! * [`exponential`], [`discretized`]: transition and process noise of a continuous model over a period;
 //!   [`runge_kutta`] and [`runge_kutta_jacobian`] step a nonlinear one.
 //!
@@ -30,6 +31,7 @@ mod joseph;
 mod record;
 mod rooted;
 mod selected;
+mod sparse;
 mod structured;
 mod symmetric;
 mod transform;
@@ -39,6 +41,7 @@ pub use correct::*;
 pub use factored::*;
 pub use record::*;
 pub use rooted::*;
+pub use sparse::*;
 pub use structured::*;
 pub use symmetric::*;
 pub use transform::*;

@@ -254,6 +254,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Call(..) | tree::ExprKind::Try(..) if expr.slot.is_some() => {
                 self.refers_to(expr.slot.unwrap_or_default(), expr.site)
             }
+            tree::ExprKind::Path(index, name) => Ok(self.path(*index, name, expr.site)?.ty),
             _ => refused(expr.site, refusals::ASSIGNED),
         }
     }
