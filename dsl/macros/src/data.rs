@@ -26,6 +26,7 @@ use crate::owned;
 use crate::place;
 use crate::redirect;
 use crate::sizes;
+use crate::state;
 use crate::table;
 
 /// Expands the attribute on a struct, an enum or an `impl` block.
@@ -218,13 +219,18 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
             }},
         ),
     };
-    let body = quote! {
+    let indices = (generic && derives("State", &it.attrs)).then(|| {
+        let method = state::of_instance();
+        quote! { Self::#method(__cx, arguments); }
+    });
+    let body = quote! {{
+        #indices
         ::bessemer::generate::tree::DefinitionKind::Struct {
             fields: #fields,
             initial: #initial,
             defaults: #defaults,
         }
-    };
+    }};
     let scope = Scope::of_type(&it.generics);
     let mut bounds = definition_bounds(scope, [&it.fields]);
     if scope.is_generic() && kind == Kind::Component {

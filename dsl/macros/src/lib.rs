@@ -114,7 +114,8 @@ pub fn __removed(_arguments: TokenStream, _holder: TokenStream) -> TokenStream {
 /// ```
 ///
 /// In the C the methods are functions as any other, `motion_retracted(…)`. The indices are in the header of sizes, with the module's name before
-/// them: `FLIGHT_MOTION_VELOCITY` for a module `flight`. Those of a generic state are in the sources that read them.
+/// them: `FLIGHT_MOTION_VELOCITY` for a module `flight`. A generic state has them for each instance: `FLIGHT_AXIS_F64_RATES`, or with the name of a marked
+/// alias.
 #[proc_macro_derive(State)]
 pub fn state(item: TokenStream) -> TokenStream {
     deep(|| state::derived(item.into()))

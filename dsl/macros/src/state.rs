@@ -112,30 +112,49 @@ fn implementation(item: &syn::DeriveInput) -> syn::Result<TokenStream> {
     })
 }
 
-/// Returns the registration of a state's indices, which the C has for the firmware. The blocks of a generic state have other sizes in each instance, and
-/// are in the C where they are read.
+/// Returns the registration of a state's indices, which the C has for the firmware. Each instance of a generic state has its own, which its definition adds by
+/// [`of_instance`].
 fn announced(item: &syn::DeriveInput, blocks: &[Block]) -> TokenStream {
-    if !lower::generating() || !item.generics.params.is_empty() {
+    if !lower::generating() {
         return TokenStream::new();
     }
     let name = &item.ident;
     let (place, site, named) = (place::place(), place::site(name), place::named(name));
     let index = |constant: &syn::Ident, doc: &str| {
         let text = lower::text(constant);
-        quote! { __cx.state_index(#named, #text, #doc, #site, #name::#constant); }
+        quote! { __cx.state_index((#named, __arguments), #text, #doc, #site, Self::#constant); }
     };
     let of_blocks = blocks.iter().map(|block| index(&constant(&block.name), &first_error(block)));
     let errors = index(&format_ident!("ERRORS"), "Number of errors.");
+    let (generics, parameters, bounds) = item.generics.split_for_impl();
+    let method = of_instance();
+    let registered = item.generics.params.is_empty().then(|| {
+        quote! {
+            ::bessemer::generate::register! {
+                ::bessemer::generate::Registered::table(#place, #site, |__cx| #name::#method(__cx, &[]))
+            }
+        }
+    });
     quote! {
         const _: () = {
-            ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::table(#place, #site, |__cx| {
+            impl #generics #name #parameters #bounds {
+                #[doc(hidden)]
+                pub fn #method(
+                    __cx: &mut ::bessemer::generate::Builder,
+                    __arguments: &[(::bessemer::generate::String, ::bessemer::generate::tree::Argument)],
+                ) {
                     #(#of_blocks)*
                     #errors
-                })
+                }
             }
+            #registered
         };
     }
+}
+
+/// Returns the name of the method that adds the indices of an instance.
+pub fn of_instance() -> syn::Ident {
+    format_ident!("__state_indices")
 }
 
 /// Returns the documentation of a block's index.

@@ -193,6 +193,7 @@ impl Builder {
         self.package.tables.push(tree::Table {
             module: named.module.to_owned(),
             name: named.name.to_owned(),
+            owner: None,
             docs: owned(docs),
             file: named.file.to_owned(),
             site: Site(site.0, site.1),
@@ -203,10 +204,10 @@ impl Builder {
         });
     }
 
-    /// Adds the index of a block of a state, which the C has for the firmware.
+    /// Adds the index of a block of a state, which the C has for the firmware; `arguments` are those of a generic state.
     pub fn state_index(
         &mut self,
-        state: Named,
+        (state, arguments): (Named, &[(String, Argument)]),
         name: &str,
         doc: &str,
         site: (u32, u32),
@@ -214,9 +215,12 @@ impl Builder {
     ) {
         let Named { module, file, name: owner } = state;
         let value = value.evaluated(self);
+        let instance = (!arguments.is_empty()).then(|| path(module, owner, arguments));
+        let owner = if arguments.is_empty() { owner } else { "Self" };
         self.package.tables.push(tree::Table {
             module: module.to_owned(),
             name: format!("{owner}::{name}"),
+            owner: instance,
             docs: owned(&[doc]),
             file: file.to_owned(),
             site: Site(site.0, site.1),

@@ -35,6 +35,9 @@ pub struct Table {
     pub module: String,
     /// Author's name; of an associated constant its path, such as `Motion::VELOCITY`.
     pub name: String,
+    /// Instance of a generic type to which an associated constant belongs, as its path; the name then begins with `Self`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub owner: Option<String>,
     /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
     /// Source file, as rustc names it.

@@ -21,3 +21,19 @@ fn no_instance_names_the_copies_of_another() {
     let expected: Vec<String> = methods.chain(["Middles::step".to_owned()]).chain(free).collect();
     assert_eq!(names, expected);
 }
+
+/// A state has its indices in the header of sizes, and a generic one in each instance.
+#[test]
+fn indices_of_states_are_in_the_header_of_sizes() {
+    let header = corpus().files.iter().map(|file| file.text.as_str());
+    let header = header.filter(|text| text.contains("STATES_MOTION_ERRORS")).collect::<String>();
+    for index in [
+        "STATES_MOTION_VELOCITY UINT64_C(3)",
+        "STATES_SINGLE_AXIS_ANGLE UINT64_C(0)",
+        "STATES_SINGLE_AXIS_RATES UINT64_C(1)",
+        "STATES_SINGLE_AXIS_ERRORS UINT64_C(3)",
+        "STATES_AXIS_F64_RATES UINT64_C(1)",
+    ] {
+        assert!(header.contains(&format!("#define {index}")), "{index} in\n{header}");
+    }
+}

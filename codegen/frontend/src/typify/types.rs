@@ -301,11 +301,19 @@ impl<'a> Context<'a> {
     pub(super) fn constants_for_firmware(&mut self) {
         let own = self.package.name.replace('-', "_");
         for table in self.package.tables.iter().filter(|it| it.always) {
-            if table.module.split("::").next() == Some(own.as_str()) {
-                let (module, name) = names::constant(&table.module, None, &table.name);
+            let named =
+                table.owner.as_ref().is_some_and(|it| self.aliases.contains_key(it.as_str()));
+            if named || table.module.split("::").next() == Some(own.as_str()) {
+                let (module, name) = self.named_table(table);
                 self.constant(&module, &name, &Type::USIZE, &table.value.words);
             }
         }
+    }
+
+    /// Returns module and name of a constant with attributes.
+    fn named_table(&self, table: &Table) -> (String, String) {
+        let owner = table.owner.as_deref().map(|path| self.item_name(path));
+        names::constant(&table.module, owner, &table.name)
     }
 
     /// Returns the author's attributes of the constant with this name and value; one in this module has priority.
@@ -316,8 +324,7 @@ impl<'a> Context<'a> {
         ty: &Type,
         words: &[u64],
     ) -> Option<&'a Table> {
-        let is_named = |it: &Table| names::constant(&it.module, None, &it.name).1 == name;
-        let same = |it: &&Table| it.value.words == words && is_named(it);
+        let same = |it: &&Table| it.value.words == words && self.named_table(it).1 == name;
         let mut tables: Vec<&'a Table> = self.package.tables.iter().filter(same).collect();
         tables.sort_by_key(|it| it.module != module);
         tables

@@ -108,6 +108,50 @@ void beam_vector(const beam_t *self, float vector[BESSEMER_RESTRICT 4])
     vector[STATES_BEAM_HEATER] = self->heater;
 }
 
+void axis_f64_retracted(const axis_f64_t *self, const double errors[3],
+    axis_f64_t *BESSEMER_RESTRICT moved)
+{
+    *moved = *self;
+    moved->angle += errors[STATES_AXIS_F64_ANGLE];
+    for (uint32_t n = 0U; n < 2U; n++) {
+        moved->rates[n] += errors[STATES_AXIS_F64_RATES + n];
+    }
+}
+
+void single_axis_difference(const single_axis_t *self, const single_axis_t *from,
+    float errors[BESSEMER_RESTRICT 3])
+{
+    errors[STATES_AXIS_F64_ANGLE] = self->angle - from->angle;
+    for (uint32_t n = 0U; n < 2U; n++) {
+        errors[STATES_SINGLE_AXIS_RATES + n] = self->rates[n] - from->rates[n];
+    }
+}
+
+void single_axis_of_vector(const float vector[3], single_axis_t *BESSEMER_RESTRICT single_axis)
+{
+    single_axis->angle = vector[STATES_AXIS_F64_ANGLE];
+    single_axis->rates[0] = vector[STATES_SINGLE_AXIS_RATES];
+    single_axis->rates[1] = vector[STATES_SINGLE_AXIS_RATES + 1U];
+}
+
+void single_axis_retracted(const single_axis_t *self, const float errors[3],
+    single_axis_t *BESSEMER_RESTRICT moved)
+{
+    *moved = *self;
+    moved->angle += errors[STATES_AXIS_F64_ANGLE];
+    for (uint32_t n = 0U; n < 2U; n++) {
+        moved->rates[n] += errors[STATES_SINGLE_AXIS_RATES + n];
+    }
+}
+
+void single_axis_vector(const single_axis_t *self, float vector[BESSEMER_RESTRICT 3])
+{
+    vector[STATES_AXIS_F64_ANGLE] = self->angle;
+    for (uint32_t n = 0U; n < 2U; n++) {
+        vector[STATES_SINGLE_AXIS_RATES + n] = self->rates[n];
+    }
+}
+
 void states_heated(const float values[4], float by,
     pair_vector4_f32_vector4_f32_t *BESSEMER_RESTRICT result)
 {
@@ -118,6 +162,12 @@ void states_heated(const float values[4], float by,
     warmer.segments[0] += by;
     beam_vector(&warmer, result->first);
     beam_difference(&warmer, &beam, result->second);
+}
+
+void states_turned(const axis_f64_t *axis, const double errors[3],
+    axis_f64_t *BESSEMER_RESTRICT result)
+{
+    axis_f64_retracted(axis, errors, result);
 }
 
 /* states.h */
@@ -139,3 +189,19 @@ typedef struct {
     /** Temperature of the heater, °C. */
     float heater;
 } beam_t;
+
+/** State of an axis in either precision. */
+typedef struct {
+    /** Angle, rad. */
+    double angle;
+    /** Rates of both gyroscopes, rad/s. */
+    double rates[2];
+} axis_f64_t;
+
+/** State of an axis in single precision. */
+typedef struct {
+    /** Angle, rad. */
+    float angle;
+    /** Rates of both gyroscopes, rad/s. */
+    float rates[2];
+} single_axis_t;

@@ -27,6 +27,20 @@ pub struct Beam {
     pub heater: f32,
 }
 
+/// State of an axis in either precision.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq, State)]
+pub struct Axis<T: Real> {
+    /// Angle, rad.
+    pub angle: T,
+    /// Rates of both gyroscopes, rad/s.
+    pub rates: Vector2<T>,
+}
+
+/// State of an axis in single precision.
+#[data]
+pub type SingleAxis = Axis<f32>;
+
 /// An estimate of motion.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -58,4 +72,10 @@ pub fn heated(values: &Vector4<f32>, by: f32) -> (Vector4<f32>, Vector4<f32>) {
     warmer.heater += by;
     warmer.segments[0] += by;
     (warmer.vector(), warmer.difference(&beam))
+}
+
+/// An axis moved by errors.
+#[function]
+pub fn turned(axis: &Axis<f64>, errors: &Vector3<f64>) -> Axis<f64> {
+    axis.retracted(errors)
 }
