@@ -89,6 +89,10 @@ pub enum Helper {
     Lower(Float),
     /// First of two numbers if it is at least the second, else the second.
     Upper(Float),
+    /// Smaller of two magnitudes, or the second if one is NaN: one instruction on processors with SSE.
+    SmallerMagnitude(Float),
+    /// Larger of two magnitudes, or the second if one is NaN.
+    LargerMagnitude(Float),
     /// Scalar product of the columns of two matrices.
     Dot(Float),
     /// Scalar product of two columns of 8 to 15 elements.
@@ -176,6 +180,8 @@ impl Helper {
             Helper::Signum(float) => format!("signum_{}", float.name()),
             Helper::Lower(float) => format!("lower_{}", float.name()),
             Helper::Upper(float) => format!("upper_{}", float.name()),
+            Helper::SmallerMagnitude(float) => format!("smaller_magnitude_{}", float.name()),
+            Helper::LargerMagnitude(float) => format!("larger_magnitude_{}", float.name()),
             Helper::Dot(float) => format!("dot_{}", float.name()),
             Helper::DotOf(float, rows) => format!("dot_{}_{rows}", float.name()),
             Helper::NormSquared(float) => format!("norm_squared_{}", float.name()),
@@ -250,8 +256,15 @@ impl Helper {
             Helper::SwapBytes(int) => integers::swap_bytes(&name, int),
             Helper::Flag => flag(&name, copy),
             Helper::Signum(float) => floats::signum(&name, float),
-            Helper::Lower(float) => ordered(&name, float, "smaller", "<="),
-            Helper::Upper(float) => ordered(&name, float, "larger", ">="),
+            Helper::Lower(float) => ordered(&name, float, "smaller of two numbers", "<="),
+            Helper::Upper(float) => ordered(&name, float, "larger of two numbers", ">="),
+            // Without zeros of both signs, equal operands are one value.
+            Helper::SmallerMagnitude(float) => {
+                ordered(&name, float, "smaller of two magnitudes", "<")
+            }
+            Helper::LargerMagnitude(float) => {
+                ordered(&name, float, "larger of two magnitudes", ">")
+            }
             Helper::Dot(float) => floats::dot(&name, float),
             Helper::DotOf(float, rows) => floats::dot_of(&name, float, rows),
             Helper::NormSquared(float) => floats::norm_squared(&name, float),
@@ -290,7 +303,7 @@ fn all() -> impl Iterator<Item = Helper> {
         |int| Helper::FromFloat(int, Float::F32),
     ];
     let from_double = |int| Helper::FromFloat(int, Float::F64);
-    let of_float: [fn(Float) -> Helper; 9] = [
+    let of_float: [fn(Float) -> Helper; 11] = [
         Helper::Bits,
         Helper::RawBits,
         Helper::FromBits,
@@ -298,6 +311,8 @@ fn all() -> impl Iterator<Item = Helper> {
         Helper::Signum,
         Helper::Lower,
         Helper::Upper,
+        Helper::SmallerMagnitude,
+        Helper::LargerMagnitude,
         Helper::Dot,
         Helper::NormSquared,
     ];
@@ -376,7 +391,7 @@ static inline {ty} {name}({ty} a, {ty} b)
 }
 
 fn ordered(name: &str, float: Float, word: &str, op: &str) -> String {
-    let word = format!("{word} of two numbers; the second if one is NaN");
+    let word = format!("{word}; the second if one is NaN");
     choose(name, Scalar::Float(float), &word, op)
 }
 

@@ -38,6 +38,8 @@ pub const FAULTS: [Fault; 10] = [
 /// Largest number of passes that gcc writes out. On the Cortex-A9 a pass over an element has 5 instructions beside 5 of
 /// the loop's own.
 pub const FEW: u32 = 12;
+/// Largest number of operations in the passes that gcc writes out. Beside more, the loop's own instructions are few.
+pub const FEW_OPERATIONS: u32 = 40;
 
 /// Returns the macro in front of a loop of few passes; none in C without pragmas, and where loops stay as they are.
 pub fn few(options: &Options) -> Option<String> {

@@ -113,24 +113,34 @@ impl Expr {
         }
     }
 
-    /// Replaces each mention of a variable by a value.
-    pub fn replace(&mut self, name: &str, value: &Expr) {
+    /// Returns its direct operands, for changes.
+    fn operands_mut(&mut self) -> Vec<&mut Expr> {
         match self {
-            Expr::Name(it) if it == name => *self = value.clone(),
-            Expr::Name(_) => {}
+            Expr::Name(_) => Vec::new(),
             Expr::Unary(_, of)
             | Expr::Cast(_, of)
             | Expr::Member(of, _)
             | Expr::Arrow(of, _)
-            | Expr::Postfix(of, _) => of.replace(name, value),
-            Expr::Binary(_, left, right) | Expr::Index(left, right) => {
-                left.replace(name, value);
-                right.replace(name, value);
-            }
-            Expr::Conditional(condition, left, right) => {
-                [condition, left, right].into_iter().for_each(|it| it.replace(name, value));
-            }
-            Expr::Call(_, arguments) => arguments.iter_mut().for_each(|it| it.replace(name, value)),
+            | Expr::Postfix(of, _) => vec![of],
+            Expr::Binary(_, left, right) | Expr::Index(left, right) => vec![left, right],
+            Expr::Conditional(condition, left, right) => vec![condition, left, right],
+            Expr::Call(_, arguments) => arguments.iter_mut().collect(),
+        }
+    }
+
+    /// Replaces each mention of a variable by a value.
+    pub fn replace(&mut self, name: &str, value: &Expr) {
+        match self {
+            Expr::Name(it) if it == name => *self = value.clone(),
+            other => other.operands_mut().into_iter().for_each(|it| it.replace(name, value)),
+        }
+    }
+
+    /// Replaces each element of an array by a variable of its name.
+    pub fn replace_elements(&mut self, array: &str) {
+        match self {
+            Expr::Index(of, _) if **of == Expr::name(array) => *self = Expr::name(array),
+            other => other.operands_mut().into_iter().for_each(|it| it.replace_elements(array)),
         }
     }
 

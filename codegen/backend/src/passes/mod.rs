@@ -12,9 +12,10 @@
 //! * **F4** the bounds of a loop do not change while it runs, unless its body ends it.
 //!
 //! The meaning is preserved: equal results, and the same fault first. There is no constant folding, and no renaming
-//! of the author's locals. One optimisation is here, so that interpreter and proofs see it: passes of an outer loop that
-//! share their loads run side by side, each number in its own order ([`tiles`]). Nothing else is reordered. The part of a
-//! condition that no execution decides otherwise is left out ([`decided`]).
+//! of the author's locals. Two optimisations are here, so that interpreter and proofs see them: passes of an outer loop that
+//! share their loads run side by side, each number in its own order ([`tiles`]); statements over the elements of vectors move
+//! next to each other if the C computes them in one loop ([`gather`]). Nothing else is reordered. The part of a condition that no
+//! execution decides otherwise is left out ([`decided`]).
 
 mod analysis;
 mod callees;
@@ -24,6 +25,7 @@ mod declare;
 mod explicit;
 mod faults;
 mod flatten;
+mod gather;
 mod identities;
 mod lend;
 mod lowering;

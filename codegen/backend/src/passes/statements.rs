@@ -96,6 +96,11 @@ fn lowered(
     function.body = body;
     super::declare::late(&mut function);
     super::tidy::tidy(&mut function, own, callees);
+    while super::gather::gather(module, &mut function) {
+        // Fewer statements are between a value and its use; each local stays, as in explicit code that passes again.
+        let own = function.locals.len();
+        super::tidy::tidy(&mut function, own, callees);
+    }
     // What the firmware brings may return something else.
     let own = function.attributes.external.is_none();
     let results = returned.filter(|_| own).unwrap_or_default();

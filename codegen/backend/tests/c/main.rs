@@ -9,6 +9,8 @@ mod generate;
 mod hostile;
 mod packages;
 mod run;
+#[path = "../passes_random/vectors.rs"]
+mod vectors;
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -275,6 +277,29 @@ fn random_modules_agree() {
         let files = emit(&explicit, &Options::default());
         run::compare("random", &module, &explicit, &files);
     }
+}
+
+/// Statements over the elements of vectors have the interpreter's values, whichever share a loop.
+#[test]
+fn joined_loops_compute_what_the_interpreter_computes() {
+    let seeds = std::env::var("BESSEMER_SEEDS").unwrap_or_else(|_| "0..1".to_owned());
+    let (first, last) = seeds.split_once("..").expect("a range");
+    for seed in first.parse::<u64>().expect("a number")..last.parse().expect("a number") {
+        let module = vectors::module(seed, 12);
+        validate(&module).unwrap_or_else(|errors| panic!("seed {seed}: {errors:#?}"));
+        let (explicit, _) = passes::explicit(module.clone()).expect("explicit");
+        let files = emit(&explicit, &Options::default());
+        run::compare("joined-random", &module, &explicit, &files);
+        let joined: usize = files.iter().map(|file| statements_in_loops(&file.text)).sum();
+        assert!(joined > 4, "seed {seed}: {joined} statements joined others");
+    }
+}
+
+/// Number of statements beside another one in a loop over six elements.
+fn statements_in_loops(text: &str) -> usize {
+    let loops = text.split("< 6U; ").skip(1);
+    let bodies = loops.filter_map(|rest| rest.split_once('{')?.1.split_once('}'));
+    bodies.map(|(body, _)| body.matches(';').count().saturating_sub(1)).sum()
 }
 
 /// Checks that were proved are in the C, and none of them fails.

@@ -3,6 +3,7 @@
 
 mod generate;
 mod tiled;
+mod vectors;
 
 use bessemer_backend::passes::{Choices, Report, check, explicit, explicit_with};
 use bessemer_backend::validate::validate;
@@ -44,6 +45,7 @@ struct Count {
     faults: usize,
     checks: usize,
     tiled: usize,
+    gathered: usize,
 }
 
 /// For a look at what fails: the modules go to files.
@@ -86,6 +88,9 @@ fn compare(
     let is_tile = |local: &Local| ["tile", "part"].contains(&&*local.name);
     let has_tiles = |function: &&Function| function.locals.iter().any(is_tile);
     count.tiled += after.functions.iter().filter(has_tiles).count();
+    let has_magnitude =
+        |function: &&Function| function.locals.iter().any(|it| it.name == "largest");
+    count.gathered += after.functions.iter().filter(has_magnitude).count();
     after.functions.iter_mut().for_each(|function| Mark.block(&mut function.body));
     // This module keeps the proved checks.
     let (kept, _) = explicit_with(before.clone(), Choices::KEPT).expect("explicit before");
@@ -171,4 +176,19 @@ fn tiled_loops_keep_the_order_of_each_sum() {
         tiled > modules / 2 && tiled < modules * 5 / 2,
         "{tiled} functions tiled of {modules} × 3"
     );
+}
+
+#[test]
+fn gathered_statements_keep_their_values() {
+    let mut count = Count::default();
+    let seeds = std::env::var("PASSES_SEEDS").map_or(150, |text| text.parse().expect("a number"));
+    for seed in 0..seeds {
+        compare(seed, vectors::module(seed, 3), arguments, &mut count);
+    }
+    let Count { modules, runs, faults, gathered, .. } = count;
+    println!(
+        "{modules} of {seeds} modules valid, {runs} runs, {faults} faults, {gathered} gathered"
+    );
+    assert!(modules > seeds as usize / 2, "{modules} valid modules");
+    assert!(gathered > modules / 4, "{gathered} functions gathered of {modules} × 3");
 }

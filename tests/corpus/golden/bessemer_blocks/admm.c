@@ -377,8 +377,9 @@ void admm_f32_3_4_1_3_25_step(admm_f32_3_4_1_3_25_t *BESSEMER_RESTRICT self,
         self->multipliers[2] += change[2];
         self->multipliers[3] += change[3];
     }
-    const float violation = upper_f32(
-        upper_f32(upper_f32(fabsf(gap[0]), fabsf(gap[1])), fabsf(gap[2])), fabsf(gap[3]));
+    const float violation = larger_magnitude_f32(
+        larger_magnitude_f32(larger_magnitude_f32(fabsf(gap[0]), fabsf(gap[1])), fabsf(gap[2])),
+        fabsf(gap[3]));
     const bool is_finite = isfinite(
         minimum_f32_3->point[0] * minimum_f32_3->point[0]
         + minimum_f32_3->point[1] * minimum_f32_3->point[1]
@@ -395,8 +396,8 @@ void admm_f32_3_4_1_3_25_step(admm_f32_3_4_1_3_25_t *BESSEMER_RESTRICT self,
             program->rows[0 + 4 * 2] * slope[0] + program->rows[2 + 4 * 2] * slope[2]
                 + (program->rows[1 + 4 * 2] * slope[1] + program->rows[3 + 4 * 2] * slope[3])
         };
-        condition = upper_f32(upper_f32(fabsf(product[0]), fabsf(product[1])), fabsf(product[2]))
-            <= program->tolerance;
+        condition = larger_magnitude_f32(larger_magnitude_f32(fabsf(product[0]), fabsf(product[1])),
+            fabsf(product[2])) <= program->tolerance;
     }
     if (condition) {
         outcome = OUTCOME_SOLVED;
@@ -439,7 +440,8 @@ static bool admm_f32_3_4_1_3_25_proves(const admm_f32_3_4_1_3_25_t *self,
             }
         }
     }
-    const float small = upper_f32(upper_f32(upper_f32(fabsf(change[0]), fabsf(change[1])),
+    const float small = larger_magnitude_f32(
+        larger_magnitude_f32(larger_magnitude_f32(fabsf(change[0]), fabsf(change[1])),
         fabsf(change[2])), fabsf(change[3])) * 0.001F;
     const float most = admm_support_f32_4_1_3(change, low, high, small);
     bool result = false;
@@ -452,8 +454,8 @@ static bool admm_f32_3_4_1_3_25_proves(const admm_f32_3_4_1_3_25_t *self,
             program->rows[0 + 4 * 2] * change[0] + program->rows[2 + 4 * 2] * change[2]
                 + (program->rows[1 + 4 * 2] * change[1] + program->rows[3 + 4 * 2] * change[3])
         };
-        result = upper_f32(upper_f32(fabsf(result_product[0]), fabsf(result_product[1])),
-            fabsf(result_product[2])) <= small;
+        result = larger_magnitude_f32(larger_magnitude_f32(fabsf(result_product[0]),
+            fabsf(result_product[1])), fabsf(result_product[2])) <= small;
     }
     return result;
 }

@@ -43,11 +43,9 @@ void active_set_f64_8_16_12_step(active_set_f64_8_16_12_t *BESSEMER_RESTRICT sel
     double shift[16];
     product_f64_16x8_8x1(program->rows, offset, shift);
     double low_2[16];
-    for (uint32_t i = 0U; i < 16U; i++) {
-        low_2[i] = low[i] + shift[i];
-    }
     double high_2[16];
     for (uint32_t i = 0U; i < 16U; i++) {
+        low_2[i] = low[i] + shift[i];
         high_2[i] = high[i] + shift[i];
     }
     working_set_f64_8_begin_16(&self->working, program->rows);

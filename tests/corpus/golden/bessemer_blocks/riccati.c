@@ -23,11 +23,11 @@ bool riccati_proves_f32_6_3_8_1_3(const riccati_program_f32_6_3_t *program, cons
         float largest = fabsf(state_gaps[k][0]);
         BESSEMER_FEW_PASSES
         for (uint32_t i = 1U; i < 6U; i++) {
-            largest = upper_f32(largest, fabsf(state_gaps[k][i]));
+            largest = larger_magnitude_f32(largest, fabsf(state_gaps[k][i]));
         }
-        size = max_f32(max_f32(size, upper_f32(
-            upper_f32(fabsf(input_gaps[k][0]), fabsf(input_gaps[k][1])), fabsf(input_gaps[k][2]))),
-            largest);
+        size = max_f32(max_f32(size, larger_magnitude_f32(
+            larger_magnitude_f32(fabsf(input_gaps[k][0]), fabsf(input_gaps[k][1])),
+            fabsf(input_gaps[k][2]))), largest);
     }
     const float small = size * 0.001F;
     float most = 0.0F;
@@ -51,8 +51,8 @@ bool riccati_proves_f32_6_3_8_1_3(const riccati_program_f32_6_3_t *program, cons
                 + program->by_input[2 + 6 * 2] * slope[2] + program->by_input[3 + 6 * 2] * slope[3]
                 + program->by_input[4 + 6 * 2] * slope[4] + program->by_input[5 + 6 * 2] * slope[5]
         };
-        steepest = max_f32(steepest, upper_f32(
-            upper_f32(fabsf(input_gaps[k][0] + steepest_product[0]),
+        steepest = max_f32(steepest, larger_magnitude_f32(
+            larger_magnitude_f32(fabsf(input_gaps[k][0] + steepest_product[0]),
             fabsf(input_gaps[k][1] + steepest_product[1])),
             fabsf(input_gaps[k][2] + steepest_product[2])));
         const float slope_next[6] = {
@@ -368,10 +368,10 @@ void riccati_admm_f32_6_3_8_1_3_10_improve(riccati_admm_f32_6_3_8_1_3_10_t *BESS
             float largest = fabsf(states[0] - self->states[k][0]);
             BESSEMER_FEW_PASSES
             for (uint32_t i = 1U; i < 6U; i++) {
-                largest = upper_f32(largest, fabsf(states[i] - self->states[k][i]));
+                largest = larger_magnitude_f32(largest, fabsf(states[i] - self->states[k][i]));
             }
             const float changed = max_f32(
-                upper_f32(upper_f32(fabsf(inputs[0] - self->inputs[k][0]),
+                larger_magnitude_f32(larger_magnitude_f32(fabsf(inputs[0] - self->inputs[k][0]),
                 fabsf(inputs[1] - self->inputs[k][1])), fabsf(inputs[2] - self->inputs[k][2])),
                 largest);
             residual = max_f32(residual, changed * weight);
@@ -385,11 +385,11 @@ void riccati_admm_f32_6_3_8_1_3_10_improve(riccati_admm_f32_6_3_8_1_3_10_t *BESS
             float largest_2 = fabsf(state_gaps[k][0]);
             BESSEMER_FEW_PASSES
             for (uint32_t i = 1U; i < 6U; i++) {
-                largest_2 = upper_f32(largest_2, fabsf(state_gaps[k][i]));
+                largest_2 = larger_magnitude_f32(largest_2, fabsf(state_gaps[k][i]));
             }
             violation = max_f32(max_f32(violation,
-                upper_f32(upper_f32(fabsf(input_gaps[k][0]), fabsf(input_gaps[k][1])),
-                fabsf(input_gaps[k][2]))), largest_2);
+                larger_magnitude_f32(larger_magnitude_f32(fabsf(input_gaps[k][0]),
+                fabsf(input_gaps[k][1])), fabsf(input_gaps[k][2]))), largest_2);
             self->inputs[k][0] = inputs[0];
             self->inputs[k][1] = inputs[1];
             self->inputs[k][2] = inputs[2];

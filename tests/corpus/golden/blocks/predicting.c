@@ -94,11 +94,9 @@ double carriage_step(carriage_t *self, double distance, double speed)
         GRADIENT[7 + 8 * 0] * state[0] + GRADIENT[7 + 8 * 1] * state[1]
     };
     double found_low[16];
-    for (uint32_t i = 0U; i < 16U; i++) {
-        found_low[i] = -most[i] - caused[i];
-    }
     double found_high[16];
     for (uint32_t i = 0U; i < 16U; i++) {
+        found_low[i] = -most[i] - caused[i];
         found_high[i] = most[i] - caused[i];
     }
     minimum_f64_8_t found;

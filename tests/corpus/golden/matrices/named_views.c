@@ -183,8 +183,8 @@ void named_views_lengths(const float m[9], pair_f32_f32_t *BESSEMER_RESTRICT res
     float gathered = 0.0F;
     for (uint32_t row = 0U; row < 3U; row++) {
         const float row_2[3] = {m[row + 3U * 0U], m[row + 3U * 1U], m[row + 3U * 2U]};
-        gathered = max_f32(gathered, upper_f32(upper_f32(fabsf(row_2[0]), fabsf(row_2[1])),
-            fabsf(row_2[2])));
+        gathered = max_f32(gathered, larger_magnitude_f32(
+            larger_magnitude_f32(fabsf(row_2[0]), fabsf(row_2[1])), fabsf(row_2[2])));
     }
     result->first = columns;
     result->second = gathered;

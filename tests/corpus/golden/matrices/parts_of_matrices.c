@@ -8,7 +8,7 @@ void parts_of_matrices_off(const double turn[9], double result[BESSEMER_RESTRICT
     double largest = fabs(turn[0 + 3 * 0]);
     BESSEMER_FEW_PASSES
     for (uint32_t i = 1U; i < 9U; i++) {
-        largest = upper_f64(largest, fabs(turn[i]));
+        largest = larger_magnitude_f64(largest, fabs(turn[i]));
     }
     result[1] = largest;
 }

@@ -3,7 +3,7 @@
 use bessemer_ir::visit::Walk as _;
 use bessemer_ir::{Expr as Ir, ExprKind, Form, Place, Step, StructId, Type};
 
-use super::super::status::FEW;
+use super::super::status::{FEW, FEW_OPERATIONS};
 use super::super::tree::{Declarator, Expr, Init, Lines, Step as ForStep, StmtKind, Storage};
 use super::Lower;
 use super::fill::length;
@@ -256,10 +256,11 @@ impl Lower<'_> {
         }
     }
 
-    /// Emits the request to write out the passes of the next loop, which has `count`, if these are few. Other files may
-    /// include a function of a header without the macro.
-    pub(super) fn few(&mut self, count: u32) {
-        let few = (2..=FEW).contains(&count) && self.signature.storage != Storage::Inline;
+    /// Emits the request to write out the passes of the next loop, which has `count`, if these are few, each of few
+    /// operations. Other files may include a function of a header without the macro.
+    pub(super) fn few(&mut self, count: u32, operations: u32) {
+        let is_brief = (2..=FEW).contains(&count) && count * operations <= FEW_OPERATIONS;
+        let few = is_brief && self.signature.storage != Storage::Inline;
         if let Some(macro_) = self.context.names.status.few.as_ref().filter(|_| few) {
             self.emit(StmtKind::Verbatim(macro_.clone()));
         }

@@ -15,6 +15,7 @@ mod compare;
 mod copy;
 mod extents;
 mod fill;
+mod join;
 mod loops;
 mod numbers;
 mod numbers_of_matrices;

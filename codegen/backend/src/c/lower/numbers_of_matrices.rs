@@ -61,7 +61,7 @@ impl Lower<'_> {
         };
         // Which is chosen depends on the order, if one is NaN.
         if magnitudes.is_flat() && self.context.names.layout.has_columns((rows, cols)) {
-            self.few(rows * cols);
+            self.few(rows * cols, 1 + magnitudes.operations());
             self.count_from("i", 1, rows * cols, |lower, i| step(lower, &At::Counted(&i)));
             return;
         }

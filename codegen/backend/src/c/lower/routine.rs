@@ -207,8 +207,9 @@ impl Lower<'_> {
     /// Emits one loop over the elements, or two if the matrices differ in layout.
     fn store_each(&mut self, dest: &Expr, fused: &Fused, scalar: Scalar, shape: (u32, u32)) {
         let layout = self.context.names.layout;
+        let operations = fused.operations();
         if fused.is_flat() && layout.is_flat(shape) {
-            self.few(shape.0 * shape.1);
+            self.few(shape.0 * shape.1, operations);
             self.count_up(shape.0 * shape.1, dest, |lower, index| {
                 let value = lower.fused_element(fused, scalar, &At::Counted(&index));
                 lower.assign(dest.clone().at(index), value);
@@ -222,7 +223,7 @@ impl Lower<'_> {
         let rows = |lower: &mut Self, column: Expr| match shape.0 {
             1 => cell(lower, Expr::name("0"), column),
             rows => {
-                lower.few(rows);
+                lower.few(rows, operations);
                 lower.count_from("row", 0, rows, |lower, row| cell(lower, row, column));
             }
         };
@@ -457,6 +458,18 @@ impl Lower<'_> {
 }
 
 impl Fused {
+    /// Returns the number of operations on each element.
+    pub(super) fn operations(&self) -> u32 {
+        match self {
+            Fused::Matrix(_) | Fused::Elements(..) | Fused::Scalar(_) => 0,
+            Fused::Outer(..) => 1,
+            Fused::Binary(_, left, right) | Fused::Chosen(_, left, right) => {
+                1 + left.operations() + right.operations()
+            }
+            Fused::Neg(inner) | Fused::Abs(inner) => 1 + inner.operations(),
+        }
+    }
+
     /// Returns true if one index addresses all operands.
     pub(super) fn is_flat(&self) -> bool {
         match self {
@@ -525,7 +538,9 @@ pub(super) fn small_dot(terms: Vec<Expr>) -> Expr {
 /// Returns the helper that chooses one of two numbers.
 pub(super) fn chooser(routine: Routine, float: Float) -> Helper {
     match routine {
-        Routine::Inf | Routine::Amin => Helper::Lower(float),
+        Routine::Inf => Helper::Lower(float),
+        Routine::Amin => Helper::SmallerMagnitude(float),
+        Routine::Amax => Helper::LargerMagnitude(float),
         _ => Helper::Upper(float),
     }
 }

@@ -21,10 +21,18 @@ const SHORT: u32 = 16;
 impl Lower<'_> {
     /// Lowers the statements of a block into the current one; `tail` is true if the function ends after them.
     pub(super) fn block_into(&mut self, block: &Block, tail: bool) {
+        let mut joined = 0;
         for (index, stmt) in block.0.iter().enumerate() {
+            if index < joined {
+                continue;
+            }
             if !stmt.comments.is_empty() {
                 self.origin = None;
                 self.emit(StmtKind::Comment(stmt.comments.clone()));
+            }
+            joined = index + self.join(&block.0[index..]);
+            if index < joined {
+                continue;
             }
             self.at(stmt.span);
             match &stmt.kind {
@@ -246,7 +254,7 @@ impl Lower<'_> {
     }
 
     /// Initialises the local that is the result, in the caller's memory.
-    fn let_in_place(&mut self, local: LocalId, value: Option<&Ir>) {
+    pub(super) fn let_in_place(&mut self, local: LocalId, value: Option<&Ir>) {
         let name = self.signature.params[self.function.params as usize].name.clone();
         let dest = self.result_storage().expect("only aggregates are built in place");
         self.bindings[local.index()] =
@@ -537,7 +545,7 @@ fn breaks(block: &Block) -> bool {
 
 /// Returns true if a place is in the memory of a variable itself, behind no pointer. An index counts only behind a field:
 /// the name of an array may be that of a pointer.
-fn is_own(place: &Expr) -> bool {
+pub(super) fn is_own(place: &Expr) -> bool {
     match place {
         Expr::Name(_) => true,
         Expr::Member(of, _) => is_own(of),

@@ -1,0 +1,174 @@
+//! One loop for neighbouring statements over the elements of vectors.
+//!
+//! [`joined`](crate::joined) finds the statements, and knows why one loop computes the same. A local vector that only the loop uses is a
+//! number of each pass, so it needs no memory:
+//!
+//! ```text
+//! float largest = 0.0F;
+//! for (uint32_t i = 0U; i < 12U; i++) {
+//!     const float slack = upper_f32(stage->x[i] + stage->dual[i], plan->low[i]);
+//!     stage->dual[i] += stage->x[i] - slack;
+//!     largest = larger_magnitude_f32(largest, fabsf(stage->x[i] - slack));
+//!     stage->slack[i] = slack;
+//! }
+//! ```
+//!
+//! The largest magnitude begins at zero instead of the first element: of zero and a magnitude, which may be NaN, the helper
+//! returns the magnitude. Must not know: which statements join.
+
+use bessemer_ir::effects::{mentions, whole};
+use bessemer_ir::visit::Walk as _;
+use bessemer_ir::{
+    Expr as Ir, ExprKind, LocalId, Routine, Scalar, Stmt as IrStmt, StmtKind as IrKind, Type,
+};
+
+use super::super::literal::{self, Readers};
+use super::super::tree::{Expr, Init, StmtKind};
+use super::Lower;
+use super::place::shape;
+use super::routine::{At, Fused, chooser, float};
+use super::stmt::is_own;
+use crate::joined::joined;
+
+/// Work of a pass for one statement.
+struct Part<'s> {
+    stmt: &'s IrStmt,
+    target: Target,
+    value: Fused,
+    scalar: Scalar,
+}
+
+/// Destination of an element.
+enum Target {
+    /// The element of a vector.
+    Element(Expr),
+    /// A variable of the pass.
+    Number(String),
+    /// The largest magnitude so far.
+    Largest(String),
+}
+
+impl Lower<'_> {
+    /// Lowers the first statements to one loop; returns their number, or 0 if the first has its own loop or none.
+    pub(super) fn join(&mut self, stmts: &[IrStmt]) -> usize {
+        let is_read = |stmt: &&IrStmt| match stmt.kind {
+            IrKind::Let { local, .. } => self.usage.read[local.index()],
+            _ => true,
+        };
+        let read = stmts.iter().take_while(is_read);
+        let joined = joined(self.context.module, self.function, read);
+        if joined < 2 {
+            return 0;
+        }
+        let stmts = &stmts[..joined];
+        let parts: Vec<Part> =
+            stmts.iter().filter_map(|stmt| self.part_of_loop(stmt, stmts)).collect();
+        let array = parts.iter().find_map(|part| match &part.target {
+            Target::Element(array) => Some(array.clone()),
+            Target::Number(name) => Some(Expr::name(name)),
+            Target::Largest(_) => None,
+        });
+        let operand = stmts.iter().find_map(operand).expect("a member has an operand");
+        let (_, rows, cols) = shape(&operand.ty);
+        self.few(rows * cols, parts.iter().map(|part| 1 + part.value.operations()).sum());
+        let array = array.unwrap_or_else(|| Expr::name(""));
+        self.count_up(rows * cols, &array, |lower, index| lower.pass(&parts, &index));
+        joined
+    }
+
+    /// Declares what a statement needs before the loop; returns its work in each pass.
+    fn part_of_loop<'s>(&mut self, stmt: &'s IrStmt, all: &[IrStmt]) -> Option<Part<'s>> {
+        self.at(stmt.span);
+        let operand = operand(stmt)?;
+        let (scalar, ..) = shape(&operand.ty);
+        let (target, value) = match &stmt.kind {
+            IrKind::Let { local, value: Some(value) } if value.ty.is_word() => {
+                let magnitudes = Fused::Abs(Box::new(self.fuse_operand(operand, None)));
+                let name = self.bind(*local);
+                let zero = literal::number(float(scalar), 0, Readers::C);
+                self.declare(&value.ty, &name, Some(Init::Value(zero)), false);
+                (Target::Largest(name), magnitudes)
+            }
+            IrKind::Let { local, .. } => {
+                let value = self.fuse_operand(operand, None);
+                (self.target(*local, &operand.ty, all), value)
+            }
+            IrKind::Assign { place, .. } => {
+                let mentioned = self.mentioned[place.root.index()];
+                let dest = self.place(place);
+                let value = self.fuse_operand(operand, Some(place));
+                // A C compiler does not count a store as a use.
+                if is_own(&dest) && !mentions(operand, place.root) {
+                    self.mentioned[place.root.index()] = mentioned;
+                }
+                (Target::Element(dest), value)
+            }
+            _ => return None,
+        };
+        Some(Part { stmt, target, value, scalar })
+    }
+
+    /// Declares a local vector; one that only these statements use is a number of each pass.
+    fn target(&mut self, local: LocalId, ty: &Type, all: &[IrStmt]) -> Target {
+        if self.in_place == Some(local) {
+            self.let_in_place(local, None);
+            return Target::Element(self.place(&whole(local)));
+        }
+        if let Some(part) = self.part_of_result(local) {
+            return Target::Element(part);
+        }
+        let sizes = self.sizes.remove(&local).unwrap_or_default();
+        let name = self.bind(local);
+        let everywhere = uses(&self.function.body.0, local);
+        if !self.usage.assigned[local.index()] && uses(all, local) == everywhere {
+            self.declared.insert(name.clone(), sizes);
+            return Target::Number(name);
+        }
+        self.begin(ty, &name, &sizes);
+        Target::Element(Expr::name(name))
+    }
+
+    /// Emits the work of one pass.
+    fn pass(&mut self, parts: &[Part], index: &Expr) {
+        let mut numbers: Vec<&str> = Vec::new();
+        for (at, part) in parts.iter().enumerate() {
+            if at > 0 && !part.stmt.comments.is_empty() {
+                self.origin = None;
+                self.emit(StmtKind::Comment(part.stmt.comments.clone()));
+            }
+            self.at(part.stmt.span);
+            let mut value = self.fused_element(&part.value, part.scalar, &At::Counted(index));
+            numbers.iter().for_each(|name| value.replace_elements(name));
+            match &part.target {
+                Target::Element(array) => self.assign(array.clone().at(index.clone()), value),
+                Target::Number(name) => {
+                    numbers.push(name);
+                    self.declare(&Type::Scalar(part.scalar), name, Some(Init::Value(value)), true);
+                }
+                Target::Largest(name) => {
+                    let helper = chooser(Routine::Amax, float(part.scalar));
+                    let chosen = self.helper(helper, vec![Expr::name(name), value]);
+                    self.assign(Expr::name(name), chosen);
+                }
+            }
+        }
+    }
+}
+
+/// Returns the element-wise value of a statement that has one.
+fn operand(stmt: &IrStmt) -> Option<&Ir> {
+    let (IrKind::Let { value: Some(value), .. } | IrKind::Assign { value, .. }) = &stmt.kind else {
+        return None;
+    };
+    match &value.kind {
+        ExprKind::Routine(Routine::Amax, operands) => operands.first(),
+        _ => Some(value),
+    }
+}
+
+/// Returns the number of reads and writes of a local.
+fn uses(stmts: &[IrStmt], local: LocalId) -> usize {
+    let mut uses = 0;
+    stmts.each_place(|place, _| uses += usize::from(place.root == local));
+    uses
+}
