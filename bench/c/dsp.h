@@ -34,7 +34,14 @@ static inline void computed(float number)
 void report(const float *results, size_t count);
 
 /* Fills an array with numbers from -1 to 1 that follow from a seed. */
-void fill(float *numbers, size_t count, uint32_t seed);
+static inline void fill(float *numbers, size_t count, uint32_t seed)
+{
+    uint32_t state = seed;
+    for (size_t i = 0; i < count; i++) {
+        state = state * 1664525U + 1013904223U;
+        numbers[i] = (float)(int32_t)(state >> 8U) * 0x1p-23f - 1.0f;
+    }
+}
 
 /* Runs every job of a contender, in the order of the table in `bench/src/dsp.rs`. */
 void run_jobs(void);

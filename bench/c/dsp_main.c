@@ -35,15 +35,6 @@ void report(const float *results, size_t count)
     }
 }
 
-void fill(float *numbers, size_t count, uint32_t seed)
-{
-    uint32_t state = seed;
-    for (size_t i = 0; i < count; i++) {
-        state = state * 1664525U + 1013904223U;
-        numbers[i] = (float)(int32_t)(state >> 8U) * 0x1p-23f - 1.0f;
-    }
-}
-
 int main(void)
 {
     run_jobs();

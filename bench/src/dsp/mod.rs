@@ -7,6 +7,7 @@
 //! Eigen, are in a folder that the caller names; without it the emitted C is measured alone.
 
 pub mod jobs;
+mod mpc;
 pub mod page;
 mod program;
 
@@ -18,6 +19,7 @@ use bessemer_tests::toolchain;
 use serde_json::{Value, json};
 
 use jobs::{JOBS, Job, Machine};
+use mpc::{Host, Text};
 pub use program::first_line;
 use program::{CONTENDERS, Contender, Run};
 
@@ -40,6 +42,10 @@ pub struct Row {
 pub struct Found {
     /// The rows, in the order of [`JOBS`].
     pub rows: Vec<Row>,
+    /// Text of the predictive control, by the budget of code.
+    pub texts: Vec<Text>,
+    /// Times of the predictive control on the host; none without the peers.
+    pub host: Option<Host>,
     /// The libraries with their versions.
     pub peers: BTreeMap<&'static str, String>,
 }
@@ -51,7 +57,9 @@ pub struct Found {
 pub fn measure(peers: Option<&Path>) -> Result<Found, String> {
     let folder = bessemer_tests::root().join("target/bench/dsp");
     std::fs::create_dir_all(&folder).map_err(|error| error.to_string())?;
-    let (emitted, estimates) = program::emitted(&folder)?;
+    let compiled = program::compiled()?;
+    let emitted = program::written(&compiled, &folder)?;
+    let estimates = program::estimates(&compiled);
     let row = |job: &'static Job| {
         let estimate = estimates.get(job.function).copied().flatten();
         Row { job, counts: BTreeMap::new(), estimate }
@@ -75,7 +83,9 @@ pub fn measure(peers: Option<&Path>) -> Result<Found, String> {
         let folder = peers.map(|peers| peers.join(name)).unwrap_or_default();
         versions.insert(*name, version(&folder)?);
     }
-    Ok(Found { rows, peers: versions })
+    let texts = mpc::texts(&compiled, &folder)?;
+    let host = peers.map(|peers| mpc::host(&emitted, &folder, peers)).transpose()?;
+    Ok(Found { rows, texts, host, peers: versions })
 }
 
 /// Returns the version of a library by its repository.
@@ -106,9 +116,12 @@ fn compare(contender: &Contender, run: &Run, reference: &Run) -> Result<(), Stri
 pub fn json(found: &Found) -> Value {
     let row = |row: &Row| json!({ "job": row.job.name, "instructions": row.counts, "estimate": row.estimate });
     let mut versions = found.peers.clone();
-    for (name, program) in
-        [("arm-none-eabi-gcc", "Cortex-M4F"), ("arm-linux-gnueabihf-gcc", "Cortex-A9")]
-    {
+    let programs = [
+        ("arm-none-eabi-gcc", "Cortex-M4F"),
+        ("arm-linux-gnueabihf-gcc", "Cortex-A9"),
+        ("gcc", "host"),
+    ];
+    for (name, program) in programs {
         versions.extend(first_line(name).map(|line| (program, line)));
     }
     json!({
@@ -118,5 +131,7 @@ pub fn json(found: &Found) -> Value {
         "Cortex-A9 flags": toolchain::CORTEX_A9.join(" "),
         "versions": versions,
         "jobs": found.rows.iter().map(row).collect::<Vec<_>>(),
+        "predictive control, text": mpc::texts_json(&found.texts),
+        "predictive control, host": mpc::host_json(found.host.as_ref()),
     })
 }

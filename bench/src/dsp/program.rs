@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::estimate;
 use bessemer_ir::Owner;
 use bessemer_tests::toolchain::{self, Toolchain, run as execute};
@@ -123,21 +124,30 @@ pub struct Run {
 /// Instructions of each function on its longest path, by its name with its type.
 pub type Estimates = BTreeMap<String, Option<u64>>;
 
-/// Emits the C of `bench/dsp/controllers.rs` into a folder; returns its sources, and the estimates of its functions.
+/// Compiles `bench/dsp/controllers.rs`.
 ///
 /// # Errors
 /// The message of the generator or of the system.
-pub fn emitted(folder: &Path) -> Result<(Vec<PathBuf>, Estimates), String> {
+pub fn compiled() -> Result<Compiled, String> {
     let failed = |error: std::io::Error| error.to_string();
     let workspace =
         Workspace::with_source(include_str!("../../dsp/controllers.rs")).map_err(failed)?;
-    // Functions of `f32` in `f32` alone, as on any processor without doubles.
-    let manifest = workspace.folder().join("Cargo.toml");
+    // Functions of `f32` in `f32` alone, as on any processor without doubles; in each package, since cargo builds `bessemer`
+    // once.
+    let manifest = workspace.path("Cargo.toml");
     let text = std::fs::read_to_string(&manifest).map_err(failed)?;
-    let alone = "bessemer = { workspace = true, features = [\"single\"] }";
-    let text = text.replace("bessemer = { workspace = true }", alone);
+    let alone = "bessemer = { features = [\"single\"], path = \"dsl\"";
+    let text = text.replace("bessemer = { path = \"dsl\"", alone);
     std::fs::write(&manifest, text).map_err(failed)?;
-    let compiled = workspace.compiled()?;
+    workspace.compiled()
+}
+
+/// Writes the C into `emitted` in a folder; returns its sources.
+///
+/// # Errors
+/// The message of the system.
+pub fn written(compiled: &Compiled, folder: &Path) -> Result<Vec<PathBuf>, String> {
+    let failed = |error: std::io::Error| error.to_string();
     let folder = folder.join("emitted");
     if folder.exists() {
         std::fs::remove_dir_all(&folder).map_err(failed)?;
@@ -149,6 +159,11 @@ pub fn emitted(folder: &Path) -> Result<(Vec<PathBuf>, Estimates), String> {
         std::fs::write(&path, &file.text).map_err(failed)?;
         sources.extend(file.name.ends_with(".c").then_some(path));
     }
+    Ok(sources)
+}
+
+/// Returns the estimates of the functions.
+pub fn estimates(compiled: &Compiled) -> Estimates {
     let explicit = &compiled.explicit;
     let found = explicit.functions.iter().zip(estimate::estimates(explicit));
     let named = found.map(|(function, it)| {
@@ -160,7 +175,7 @@ pub fn emitted(folder: &Path) -> Result<(Vec<PathBuf>, Estimates), String> {
         };
         (name, it.cost.map(|cost| cost.instructions))
     });
-    Ok((sources, named.collect()))
+    named.collect()
 }
 
 /// Builds and runs a contender.
