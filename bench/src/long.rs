@@ -3,7 +3,7 @@
 //!
 //! The whole of `cargo xtask gen` is measured: cargo, rustc, the linker and the C; dependencies are built before.
 //! Every line of the function changes in each run, so that rustc's incremental data is of little use. The result is
-//! processor time.
+//! processor time, and the largest memory of the generator.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -15,21 +15,38 @@ use serde_json::{Value, json};
 use crate::check_cost::{all_seconds, hundredths, spread};
 
 /// Numbers of operations of the function: additions, products, comparisons, choices, `clamp`.
-const SIZES: [usize; 3] = [500, 1000, 2000];
+pub const SIZES: [usize; 5] = [500, 1000, 2000, 4000, 8000];
+
+/// Measurements of a function.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// Number of operations.
+    pub operations: usize,
+    /// Processor seconds: smallest, median, largest.
+    pub seconds: [f64; 3],
+    /// Largest memory of the generator, MB, without cargo and rustc; none where the system does not report it.
+    pub megabytes: Option<u64>,
+}
 
 /// The measured times.
 #[derive(Clone, Debug)]
 pub struct Long {
     /// Number of generations for each size.
     pub runs: usize,
-    /// Operations, and processor seconds: smallest, median, largest.
-    pub rows: Vec<(usize, [f64; 3])>,
+    /// One for each size.
+    pub rows: Vec<Row>,
 }
 
 impl Long {
     /// Formats the result for machines.
     pub fn json(&self) -> Value {
-        let row = |(operations, seconds): &(usize, [f64; 3])| json!({ "operations": operations, "seconds": seconds.map(hundredths) });
+        let row = |row: &Row| {
+            json!({
+                "operations": row.operations,
+                "seconds": row.seconds.map(hundredths),
+                "megabytes": row.megabytes,
+            })
+        };
         json!({
             "command": "cargo xtask bench --only long",
             "runs": self.runs,
@@ -40,11 +57,13 @@ impl Long {
     /// Formats the result for people.
     pub fn table(&self) -> String {
         let mut text = format!(
-            "generation of one function, processor seconds, {} runs each\n\n{:>10} {:>8} {:>8} {:>8}\n",
-            self.runs, "operations", "smallest", "median", "largest"
+            "generation of one function, processor seconds, {} runs each\n\n{:>10} {:>8} {:>8} {:>8} {:>6}\n",
+            self.runs, "operations", "smallest", "median", "largest", "MB"
         );
-        for (operations, [low, median, high]) in &self.rows {
-            let _ = writeln!(text, "{operations:>10} {low:>8.2} {median:>8.2} {high:>8.2}");
+        for Row { operations, seconds: [low, median, high], megabytes } in &self.rows {
+            let memory = megabytes.map_or("–".to_owned(), |it| it.to_string());
+            let _ =
+                writeln!(text, "{operations:>10} {low:>8.2} {median:>8.2} {high:>8.2} {memory:>6}");
         }
         text
     }
@@ -63,6 +82,7 @@ pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Long, String> {
         // Builds what the package depends on.
         generate::generate(&job).map_err(|error| error.to_string())?;
         let mut times = Vec::new();
+        forget_peak();
         for run in 1..=runs {
             workspace.set_source(&source(operations, run)).map_err(failed)?;
             let before = all_seconds()?;
@@ -71,9 +91,22 @@ pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Long, String> {
             tick();
         }
         fs::remove_dir_all(&job.output).map_err(failed)?;
-        rows.push((operations, spread(times)));
+        rows.push(Row { operations, seconds: spread(times), megabytes: peak() });
     }
     Ok(Long { runs, rows })
+}
+
+/// Resets the largest memory that Linux reports; elsewhere it stays unknown.
+fn forget_peak() {
+    let _ = fs::write("/proc/self/clear_refs", "5");
+}
+
+/// Returns the largest memory of this process in MB since it was reset.
+fn peak() -> Option<u64> {
+    let text = fs::read_to_string("/proc/self/status").ok()?;
+    let line = text.lines().find(|line| line.starts_with("VmHWM:"))?;
+    let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(kilobytes / 1000)
 }
 
 /// Generates a function with some number of operations, ten in four lines, similar to a controller.

@@ -278,7 +278,7 @@ fn generation(arguments: &Arguments) -> Result<(), String> {
 
 fn long(arguments: &Arguments) -> Result<(), String> {
     let runs = if arguments.quick { 1 } else { 5 };
-    let bar = ProgressBar::new(3 * runs as u64).with_message("generating");
+    let bar = ProgressBar::new((long::SIZES.len() * runs) as u64).with_message("generating");
     let found = long::measure(runs, || bar.inc(1))?;
     bar.finish_and_clear();
     println!("{}", found.table());
