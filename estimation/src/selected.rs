@@ -97,6 +97,7 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
             return Correction { surprise, status: Status::Rejected };
         }
 
+        let mut after = *state;
         for n in 0..N {
             let mut variance = self.elements[(n, n)];
             #[unroll(8)]
@@ -113,12 +114,13 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
             if !(variance > T::ZERO) {
                 return Correction { surprise, status: Status::Lost };
             }
+            after[n] = variance;
         }
-        self.lose(state, &rows, &scaled);
+        self.lose(state, &rows, &scaled, &after);
         Correction { surprise, status: Status::Corrected }
     }
 
-    /// Subtracts Yᵀ Y from the covariance, and adds Yᵀ L⁻¹ ν to the state.
+    /// Subtracts Yᵀ Y from the covariance, and adds Yᵀ L⁻¹ ν to the state. The variances after it are known.
     ///
     /// Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same
     /// order.
@@ -128,12 +130,13 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
         state: &mut SVector<T, N>,
         rows: &SMatrix<T, M, N>,
         scaled: &SVector<T, M>,
+        after: &SVector<T, N>,
     ) {
         for row in 0..N % 3 {
             for m in 0..M {
                 state[row] += rows[(m, row)] * scaled[m];
             }
-            for col in 0..=row {
+            for col in 0..row {
                 let mut value = self.elements[(row, col)];
                 for m in 0..M {
                     value -= rows[(m, row)] * rows[(m, col)];
@@ -141,6 +144,7 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
                 self.elements[(row, col)] = value;
                 self.elements[(col, row)] = value;
             }
+            self.elements[(row, row)] = after[row];
         }
         for block in 0..N / 3 {
             let row = N % 3 + 3 * block;
@@ -151,7 +155,7 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
                     state[row + k] += rows[(m, row + k)] * scaled[m];
                 }
             }
-            for col in 0..row + 3 {
+            for col in 0..row {
                 let mut one = self.elements[(row, col)];
                 let mut two = self.elements[(row + 1, col)];
                 let mut three = self.elements[(row + 2, col)];
@@ -164,11 +168,29 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
                 self.elements[(row, col)] = one;
                 self.elements[(row + 1, col)] = two;
                 self.elements[(row + 2, col)] = three;
-                if col < row {
-                    self.elements[(col, row)] = one;
-                    self.elements[(col, row + 1)] = two;
-                    self.elements[(col, row + 2)] = three;
-                }
+                self.elements[(col, row)] = one;
+                self.elements[(col, row + 1)] = two;
+                self.elements[(col, row + 2)] = three;
+            }
+            // The three rows with each other.
+            let mut one = self.elements[(row + 1, row)];
+            let mut two = self.elements[(row + 2, row)];
+            let mut three = self.elements[(row + 2, row + 1)];
+            #[unroll(8)]
+            for m in 0..M {
+                one -= rows[(m, row + 1)] * rows[(m, row)];
+                two -= rows[(m, row + 2)] * rows[(m, row)];
+                three -= rows[(m, row + 2)] * rows[(m, row + 1)];
+            }
+            self.elements[(row + 1, row)] = one;
+            self.elements[(row, row + 1)] = one;
+            self.elements[(row + 2, row)] = two;
+            self.elements[(row, row + 2)] = two;
+            self.elements[(row + 2, row + 1)] = three;
+            self.elements[(row + 1, row + 2)] = three;
+            #[unroll(3)]
+            for k in 0..3 {
+                self.elements[(row + k, row + k)] = after[row + k];
             }
         }
     }

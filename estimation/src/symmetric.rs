@@ -298,6 +298,7 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
         }
 
         let mut rows = SMatrix::<T, M, N>::zeros();
+        let mut after = *state;
         for n in 0..N {
             let mut variance = self.elements[(n, n)];
             #[unroll(8)]
@@ -314,9 +315,10 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
             if !(variance > T::ZERO) {
                 return Correction { surprise, status: Status::Lost };
             }
+            after[n] = variance;
         }
 
-        self.lose(state, &rows, &scaled);
+        self.lose(state, &rows, &scaled, &after);
         Correction { surprise, status: Status::Corrected }
     }
 
