@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use bessemer_ir::visit::{self, Access, Visit};
 use bessemer_ir::{
-    Argument, BinaryOp, Block, CompareOp, Expr, ExprKind, Float, Function, Intrinsic,
+    Argument, BinaryOp, Block, CompareOp, Expr, ExprKind, Float, Form, Function, Intrinsic,
     KernelRoutine, LocalId, LogicOp, Module, Place, Routine, Scalar, Step, StmtKind, Type, UnaryOp,
 };
 
@@ -252,16 +252,7 @@ impl Printer<'_> {
         let mut ty = local.ty.clone();
         for step in &place.steps {
             match step {
-                Step::Field(field) => {
-                    let name = match &ty {
-                        Type::Struct(id) => {
-                            let fields = &self.module.structs[id.index()].fields;
-                            fields.get(*field as usize).map_or("", |it| it.name.as_str())
-                        }
-                        _ => "",
-                    };
-                    text.push_str(&format!(".{name}"));
-                }
+                Step::Field(field) => text.push_str(&field_of(self.module, &ty, *field)),
                 Step::Index(index) => text.push_str(&format!("[{}]", self.index(index))),
                 Step::Element(row, col) => match ty {
                     Type::Matrix { cols: 1, .. } => {
@@ -591,5 +582,16 @@ fn special(value: f64, ty: &str) -> String {
         (true, _) => format!("{ty}::NAN"),
         (false, true) => format!("{ty}::INFINITY"),
         (false, false) => format!("{ty}::NEG_INFINITY"),
+    }
+}
+
+/// Returns the text that reads a field; a `List` shows its length by a method, and its elements as they are.
+fn field_of(module: &Module, ty: &Type, field: u32) -> String {
+    let Type::Struct(id) = ty else { return ".".to_owned() };
+    let of = &module.structs[id.index()];
+    match (&of.form, field) {
+        (Form::Sequence, 0) => ".len()".to_owned(),
+        (Form::Sequence, _) => String::new(),
+        _ => format!(".{}", of.fields.get(field as usize).map_or("", |it| it.name.as_str())),
     }
 }

@@ -61,7 +61,7 @@ impl Run<'_> {
                 let mut leaves = Leaves::default();
                 leaves.block(&body);
                 if leaves.found {
-                    self.last_pass((variable, &from, &to), reversed, &mut body, span)?;
+                    self.last_pass((variable, &from, &to), reversed, &mut body, span);
                 }
                 let body = self.flat(body, active)?;
                 StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body }
@@ -104,19 +104,15 @@ impl Run<'_> {
         reversed: bool,
         body: &mut Block,
         span: bessemer_ir::Span,
-    ) -> Result<()> {
+    ) {
         let ty = from.ty.clone();
         let last = self.declare("last", &ty, span);
         let first = if reversed { to } else { from };
-        if !first.is_literal() {
-            return Err(unknown_length(span));
-        }
         self.emit(StmtKind::Let { local: last, value: Some(first.clone()) }, span);
         let place = Place::local(last, ty.clone(), span);
         let value = Expr::local(variable, &ty, span);
         body.0.insert(0, Stmt::new(StmtKind::Assign { place, value }, span));
         self.ends.insert(variable, last);
-        Ok(())
     }
 
     /// Returns a condition that keeps its value: one that reads an array becomes a local.
@@ -244,8 +240,8 @@ impl Run<'_> {
 pub fn unknown_length(span: bessemer_ir::Span) -> Problem {
     Problem::new(
         span,
-        "the gradient needs the values of each pass of this loop, whose length is not constant",
-        "let the loop have a constant length, and end it by `break`",
+        "the gradient needs the values of each pass of this loop, whose length is not constant and has no bound of at most 1024",
+        "limit the loop, `0..n.min(50)`, or let it have a constant length and end it by `break`",
     )
 }
 

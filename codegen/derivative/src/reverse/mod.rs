@@ -14,6 +14,7 @@
 mod active;
 mod flat;
 mod kernels;
+mod length;
 mod once;
 mod slope;
 mod store;

@@ -9,11 +9,11 @@ use bessemer_ir::{
 };
 
 use super::flat::{Assigned, unknown_length};
+use super::length::Bounds;
 use crate::Result;
-use crate::expression::literal;
 use crate::run::Run;
 
-/// A loop around a declaration: its counter, its first value and its length, if they are known.
+/// A loop around a declaration: its counter, its smallest value and the number of passes, if they have bounds.
 #[derive(Clone)]
 struct Around {
     counter: Expr,
@@ -28,26 +28,23 @@ struct Declared {
 }
 
 /// Declarations within branches and loops.
-#[derive(Default)]
-struct Nested {
+struct Nested<'m> {
+    bounds: Bounds<'m>,
     depth: usize,
     around: Vec<Around>,
     found: BTreeMap<LocalId, Declared>,
     counters: BTreeSet<LocalId>,
 }
 
-impl Visit for Nested {
+impl Visit for Nested<'_> {
     fn stmt(&mut self, stmt: &Stmt) {
         match &stmt.kind {
             StmtKind::Let { local, value } if self.depth > 0 => {
                 let declared = Declared { around: self.around.clone(), value: value.clone() };
                 self.found.insert(*local, declared);
             }
-            StmtKind::For { variable, from, to, inclusive, body, .. } => {
-                let length = literal(from).zip(literal(to)).and_then(|(from, to)| {
-                    let to = if *inclusive { to + 1 } else { to };
-                    Some((from, u32::try_from((to - from).max(1)).ok()?))
-                });
+            StmtKind::For { variable, from, body, .. } => {
+                let length = self.bounds.passes(stmt);
                 let counter = Expr::local(*variable, &from.ty, stmt.span);
                 self.around.push(Around { counter, length, span: stmt.span });
                 self.counters.insert(*variable);
@@ -70,8 +67,15 @@ impl Visit for Nested {
 pub fn kept(run: &mut Run<'_>, mut forwards: Block, mut backwards: Block) -> Result<Block> {
     let mut reads = Assigned::default();
     reads.block(&backwards);
-    let mut nested = Nested::default();
+    let mut nested = Nested {
+        bounds: Bounds::of(run.module, &run.locals, &forwards),
+        depth: 0,
+        around: Vec::new(),
+        found: BTreeMap::new(),
+        counters: BTreeSet::new(),
+    };
     nested.block(&forwards);
+    let Nested { found, counters, .. } = nested;
     let mut assigned = Assigned::default();
     assigned.block(&forwards);
     let mut first = Vec::new();
@@ -81,14 +85,14 @@ pub fn kept(run: &mut Run<'_>, mut forwards: Block, mut backwards: Block) -> Res
     let mut needed: Vec<LocalId> = reads.read.difference(&reads.declared).copied().collect();
     let mut known = BTreeSet::new();
     while let Some(local) = needed.pop() {
-        let Some(declared) = nested.found.get(&local).filter(|_| known.insert(local)) else {
+        let Some(declared) = found.get(&local).filter(|_| known.insert(local)) else {
             continue;
         };
         let local = &local;
         let of = run.locals[local.index()].clone();
         // What a loop or a call changes later is no longer its first value.
         let value = declared.value.as_ref().filter(|_| !assigned.written.contains(local));
-        if let Some(value) = value.filter(|it| run.is_cheap(it, &nested.counters)) {
+        if let Some(value) = value.filter(|it| run.is_cheap(it, &counters)) {
             let mut operands = Assigned::default();
             operands.expr(value);
             needed.extend(operands.read);

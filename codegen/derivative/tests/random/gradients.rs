@@ -190,13 +190,79 @@ fn extremes_choose_an_element() {
     }
 }
 
+/// A loop of unknown length keeps its values in arrays of a bound. It is a limit of its range, or the length of an array from which each pass reads
+/// an element. Beyond that length the gradient panics where the function does.
+#[test]
+fn a_loop_keeps_its_values_within_a_bound() {
+    let vector = "matrix<f64, 40, 1>";
+    let grown = "a = a * x[0, 0] + a.sqrt();";
+    let bodies = [
+        format!("for i: usize in 0..n.min(50) {{ {grown} }}"),
+        format!("for i: u8 in 0..(n as u8) {{ {grown} }}"),
+        format!("for i: usize in n % 7..=n % 45 {{ {grown} }}"),
+        "for i: usize in 0..n { a = a * x[i, 0] + a.sqrt(); }".to_owned(),
+        "for i: usize in rev 0..n { a = a * x[i, 0]; if a > 4.0 { break; } a = a * a.sqrt() + 0.75; }".to_owned(),
+        "let m: usize = n.min(50) + 1;\nfor i: usize in 0..m { let k: usize = i.min(39);\na = a * x[k, 0] + a.sqrt(); }".to_owned(),
+    ];
+    for body in bodies {
+        let text = format!(
+            "module demo\nfile \"demo.rs\"\n\
+             struct Slopes in demo {{ first: f64, second: {vector} }}\n\
+             struct Pair in demo {{ first: f64, second: matrix<f64, 1, 40> }}\n\
+             fn subject in demo(x: &{vector}, n: usize) -> f64 as result {{\nlet a: f64 = 0.5;\n{body}\nreturn a;\n}}\n\
+             fn gradient in demo(x: &{vector}, n: usize) -> Slopes as result {{\n}}\n\
+             fn jacobian in demo(x: &{vector}, n: usize) -> Pair as result {{\n}}\n"
+        );
+        let module = parse(&text).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
+        let of = find(&module, "subject");
+        let by = |name: &str, kind| {
+            let into = find(&module, name);
+            let request = Request { of, by: vec![0], kind, into };
+            let (mut with, function) = derivative(&module, &request)
+                .unwrap_or_else(|problem| panic!("{body}: {}", problem.message));
+            with.functions[into.index()] = function;
+            (with, into)
+        };
+        let (forwards, jacobian) = by("jacobian", Kind::Jacobians);
+        let (backwards, gradient) = by("gradient", Kind::Gradients);
+        let x: Vec<u64> = (0..40).map(|k| (1.05 - 0.005 * f64::from(k)).to_bits()).collect();
+        for n in [0_u64, 1, 2, 39, 40, 41, 63, 90] {
+            let arguments = vec![x.clone(), vec![n]];
+            let call = |module, function| {
+                let found = Interpreter::new(module).call(function, &mut arguments.clone());
+                found.map(|words| words.into_iter().map(f64::from_bits).collect::<Vec<_>>())
+            };
+            match (call(&forwards, jacobian), call(&backwards, gradient)) {
+                (Ok(wanted), Ok(found)) => {
+                    assert_eq!(found[0].to_bits(), wanted[0].to_bits(), "{body} {n}");
+                    for (found, wanted) in found.iter().zip(&wanted) {
+                        let scale = 1.0 + wanted.abs();
+                        assert!(
+                            (found - wanted).abs() < BOUND * scale,
+                            "{body} {n}: {found} {wanted}"
+                        );
+                    }
+                }
+                (Err(wanted), Err(found)) => {
+                    let fault =
+                        |it| format!("{it:?}").split(", function").next().map(str::to_owned);
+                    assert_eq!(fault(found), fault(wanted), "{body} {n}");
+                }
+                (wanted, found) => panic!("{body} {n}: {found:?}, not {wanted:?}"),
+            }
+        }
+    }
+}
+
 /// Each reason why a function has no gradient is reported, and so is a signature that does not fit.
 #[test]
 fn functions_without_a_gradient_are_refused() {
     let long = "let a: f64 = x;\nfor i: usize in 0..n { a = a * x; }\nreturn a;";
+    let beyond = long.replace("0..n", "0..n.min(1025)");
     let cases = [
         ("f64", "f64", "return x.to_bits() as f64;", "the bits of a differentiated number"),
         ("f64", "f64", long, "whose length is not constant"),
+        ("f64", "f64", &beyond, "no bound of at most 1024"),
         (
             "f64",
             "matrix<f64, 1, 1>",

@@ -308,3 +308,63 @@ void gradients_hessian_product(const float line[2], const float way[2], float le
     result->first[0] = pair_1_0;
     result->first[1] = pair_1_1;
 }
+
+double gradients_window_cost(double share, const list40_f64_t *errors)
+{
+    double level = 0.0;
+    double cost = 0.0;
+    {
+        const uint32_t end = (uint32_t)min_u64(errors->length, UINT64_C(40));
+        for (uint32_t i = 0U; i < end; i++) {
+            level = share * level + (1.0 - share) * errors->items[i];
+            cost += level * level;
+        }
+    }
+    return cost;
+}
+
+bessemer_status_t gradients_window_slope(double share, const list40_f64_t *errors,
+    double work[BESSEMER_RESTRICT 80], pair_f64_f64_t *BESSEMER_RESTRICT result)
+{
+    double *const level_kept = work;
+    for (uint32_t i = 0U; i < 40U; i++) {
+        level_kept[i] = 0.0;
+    }
+    double *const level_kept_2 = &work[40];
+    for (uint32_t i = 0U; i < 40U; i++) {
+        level_kept_2[i] = 0.0;
+    }
+    double level = 0.0;
+    double cost = 0.0;
+    {
+        const uint32_t end = (uint32_t)min_u64(errors->length, UINT64_C(40));
+        for (uint32_t i = 0U; i < end; i++) {
+            const double level_before = level;
+            level_kept[i] = level_before;
+            const double cost_before = cost;
+            if (errors->length > UINT64_C(40) || i >= errors->length) {
+                return BESSEMER_STATUS_INDEX;
+            }
+            const double level_2 = share * level_before + (1.0 - share) * errors->items[i];
+            level_kept_2[i] = level_2;
+            const double cost_2 = cost_before + level_2 * level_2;
+            level = level_2;
+            cost = cost_2;
+        }
+    }
+    double level_bar = 0.0;
+    const double cost_bar = 1.0;
+    double share_bar = 0.0;
+    for (uint32_t i = (uint32_t)min_u64(errors->length, UINT64_C(40)); i-- > 0U;) {
+        const double level_bar_2 = level_bar + level_kept_2[i] * (2.0 * cost_bar);
+        const double level_before_bar = share * level_bar_2;
+        if (errors->length > UINT64_C(40) || i >= errors->length) {
+            return BESSEMER_STATUS_INDEX;
+        }
+        share_bar += level_kept[i] * level_bar_2 - errors->items[i] * level_bar_2;
+        level_bar = level_before_bar;
+    }
+    result->first = cost;
+    result->second = share_bar;
+    return BESSEMER_STATUS_OK;
+}

@@ -264,3 +264,44 @@ pub fn hessian_product(
     jacobian[1] = pair_1_1_d0;
     (vector![pair_1_0, pair_1_1], jacobian)
 }
+
+/// Cost of the errors of a recorded window under a filter with this share of the old value.
+#[function]
+pub fn window_cost(share: f64, errors: &List<f64, 40>) -> f64 {
+    let mut level = 0.0;
+    let mut cost = 0.0;
+    for error in errors {
+        level = share * level + (1.0 - share) * error;
+        cost += level * level;
+    }
+    cost
+}
+
+/// The cost with its derivative by the share. The list limits the passes, so their values are in arrays of its capacity.
+#[function(gradient(window_cost, share))]
+pub fn window_slope(share: f64, errors: &List<f64, 40>) -> (f64, f64) {
+    let mut level_kept: [f64; 40] = [0.0; 40];
+    let mut level_kept_2: [f64; 40] = [0.0; 40];
+    let mut level: f64 = 0.0;
+    let mut cost: f64 = 0.0;
+    for i in 0..errors.len().min(40) {
+        let level_before = level;
+        level_kept[i] = level_before;
+        let cost_before = cost;
+        let level_2 = share * level_before + (1.0 - share) * errors[i];
+        level_kept_2[i] = level_2;
+        let cost_2 = cost_before + level_2 * level_2;
+        level = level_2;
+        cost = cost_2;
+    }
+    let mut level_bar: f64 = 0.0;
+    let cost_bar: f64 = 1.0;
+    let mut share_bar: f64 = 0.0;
+    for i in (0..errors.len().min(40)).rev() {
+        let level_bar_2 = level_bar + level_kept_2[i] * (2.0 * cost_bar);
+        let level_before_bar = share * level_bar_2;
+        share_bar = share_bar + (level_kept[i] * level_bar_2 - errors[i] * level_bar_2);
+        level_bar = level_before_bar;
+    }
+    (cost, share_bar)
+}
