@@ -50,6 +50,7 @@ pub fn run(package: &Path) {
     for part in ["motor_step", "id=\"questions\"", "MC/DC", "closed", "by --fill in 2 rounds"] {
         assert!(page.contains(part), "the page has no {part}");
     }
+    in_a_browser(&folder, package);
     let here = package.to_string_lossy().into_owned();
     for (name, bytes) in read(&folder) {
         let text = String::from_utf8_lossy(&bytes).into_owned();
@@ -89,6 +90,29 @@ pub fn run(package: &Path) {
     fs::write(&c, whole).expect("the C");
     fs::remove_dir_all(&folder).expect("the dossier");
     since(package);
+}
+
+/// Where Chromium is installed: a line and a name have their counterparts in the page of both sides.
+fn in_a_browser(folder: &Path, package: &Path) {
+    let c = fs::read_to_string(package.join("generated/motor.c")).expect("the C");
+    let line = c.lines().position(|it| it.contains("clamp_f64(")).expect("a statement") + 1;
+    let shown = |place: &str| {
+        let profile = tempfile::tempdir().expect("a folder");
+        let mut command = Command::new("chromium");
+        command.args(["--headless", "--no-sandbox", "--disable-gpu", "--dump-dom"]);
+        command.arg(format!("--user-data-dir={}", profile.path().display()));
+        command.arg(format!("file://{}#{place}", folder.join("trace.html").display()));
+        let output = command.output().ok()?;
+        Some(String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    let Some(page) = shown(&format!("motor.c:{line}:clamp_f64")) else { return };
+    let rows = |class: &str| page.matches(&format!("class=\"{class}\"")).count();
+    assert!(rows("on here") == 1 && rows("on") == 1, "one line on each side");
+    let status = page.split_once("role=\"status\">").and_then(|(_, it)| it.split_once('<'));
+    let status = status.expect("it says what is shown").0;
+    assert!(status.starts_with(&format!("motor.c:{line}  ↔  ")), "{status}");
+    assert!(status.ends_with("`clamp_f64` is `clamp` in the Rust"), "{status}");
+    assert!(page.contains("<mark>clamp</mark>") && page.contains("<mark>clamp_f64</mark>"));
 }
 
 /// Changes since a version of a repository.

@@ -8,7 +8,7 @@ use tera::{Context, Tera};
 
 use crate::content::Content;
 use crate::memory;
-use crate::trace::{Folder, Sources};
+use crate::trace::{Folder, Sources, explained};
 
 const INDEX: &str = include_str!("../../templates/index.html.tera");
 const TRACE: &str = include_str!("../../templates/trace.html.tera");
@@ -75,7 +75,21 @@ pub fn trace(package: &str, folder: &Folder, sources: &dyn Sources) -> String {
             });
             found.unwrap_or_else(|| json!(file.why_none(line)))
         });
-        json!({ "name": file.name, "text": lines, "links": links.collect::<Vec<_>>() })
+        // First and last line of each function, and its names that the Rust does not have.
+        let functions = file.functions.iter().map(|it| {
+            let rust =
+                file.counterpart(it.line).and_then(|(_, _, row)| sources.text(&row.rust_file));
+            let names = explained(file, it, (it.line, it.last_line), &rust.unwrap_or_default());
+            let names: Vec<_> = names.iter().map(|it| json!([it.name, it.why])).collect();
+            json!([it.line, it.last_line, names])
+        });
+        let functions: Vec<_> = functions.collect();
+        json!({
+            "name": file.name,
+            "text": lines,
+            "links": links.collect::<Vec<_>>(),
+            "functions": functions,
+        })
     });
     let rust = names.iter().map(|name| {
         let text = sources.text(name);
@@ -194,6 +208,7 @@ mod tests {
         let page = trace("motor", &folder, &None);
         assert_eq!(page.matches("</script>").count(), 2);
         assert!(page.contains("[3,3,0,2,\"m::g\"]"), "{page}");
+        assert!(page.contains("\"functions\":[[1,4,[]]]"), "{page}");
         assert!(page.contains("{\"name\":\"other/lib.rs\",\"text\":null}"));
     }
 }
