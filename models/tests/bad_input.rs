@@ -147,6 +147,36 @@ fn a_refused_trajectory_leaves_the_one_that_is_flown() {
 }
 
 #[test]
+fn a_trajectory_may_have_all_its_points() {
+    let mut receiver = Recorded::<Receiver>::default();
+    let at = |index: u8| {
+        let side = f64::from(index) / 8.0 - 1.0;
+        set_point(index, [f64::from(index), side, -side, 1.0, side])
+    };
+    for index in 0..16 {
+        take(&mut receiver, &packet(POINT, 1 + u16::from(index), &at(index)));
+    }
+    take(&mut receiver, &packet(COMMIT, 17, &[16, 0]));
+    let flown = receiver.orders.trajectory;
+    assert_eq!((flown.count, flown.points[15].time, receiver.tally.invalid), (16, 15.0, 0));
+    take(&mut receiver, &packet(TAKE_OFF, 18, &[]));
+    assert!(receiver.orders.take_off);
+}
+
+#[test]
+fn a_take_off_that_was_ordered_stays_so_in_a_smaller_space() {
+    let mut receiver = Recorded::<Receiver>::default();
+    take(&mut receiver, &packet(POINT, 1, &set_point(0, [0.0, 0.0, 0.0, 1.0, 0.0])));
+    take(&mut receiver, &packet(COMMIT, 2, &[1, 0]));
+    take(&mut receiver, &packet(TAKE_OFF, 3, &[]));
+    assert_eq!((receiver.orders.take_off, receiver.tally.invalid), (true, 0));
+    let mut low = space();
+    low.heights.y = 0.5;
+    receiver.step(0.005, &low, &packet(TAKE_OFF, 4, &[]));
+    assert_eq!((receiver.orders.take_off, receiver.tally.invalid), (true, 1));
+}
+
+#[test]
 fn to_stop_a_packet_is_never_too_old() {
     let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(MODE, 900, &[1]));
@@ -292,23 +322,34 @@ fn in_flight_neither_arming_nor_disarming_stops_the_motors() {
 
 #[test]
 fn a_moving_aircraft_is_not_armed_again() {
-    let outputs = flown(60, |n, inputs| {
-        // Nobody orders a take-off: the aircraft is carried at 2 m/s.
-        if n > 20 {
-            inputs.uplink = if n == 55 { packet(ARM, 2, &[]) } else { Packet::none() };
-        }
-        inputs.readings.vicon.position.x += 0.01 * n as f64;
-    });
-    let last = last(&outputs);
-    assert!(last.estimate.velocity.norm() > 0.5, "{:?}", last.estimate);
-    assert_eq!((last.reference.phase, last.command.motors.max()), (Phase::Ready, 0.0));
+    // Nobody orders a take-off: the aircraft is carried at 2 m/s, or rests.
+    let phase = |speed: f64| {
+        let outputs = flown(60, |n, inputs| {
+            match n {
+                57 => inputs.uplink = packet(STOP, 2, &[]),
+                59 => inputs.uplink = packet(ARM, 3, &[]),
+                21.. => inputs.uplink = Packet::none(),
+                _ => {}
+            }
+            inputs.readings.vicon.position.x += speed * 0.005 * n as f64;
+        });
+        let last = last(&outputs);
+        assert_eq!(last.estimate.velocity.norm() > 0.5, speed > 0.0, "{:?}", last.estimate);
+        assert_eq!(last.command.motors.max(), 0.0);
+        last.reference.phase
+    };
+    assert_eq!([phase(2.0), phase(0.0)], [Phase::Over, Phase::Ready]);
 }
 
 /// Returns the alarm of an aircraft in level flight at this height and vertical speed, m and m/s, that accelerates
 /// vertically by `climb`, m/s².
 fn alarm(height: f64, speed: f64, climb: f64) -> Alarm {
+    alarm_at(Vector3::z() * height, Vector3::z() * speed, climb)
+}
+
+/// Returns the alarm at this position and velocity, m and m/s.
+fn alarm_at(position: Vector3<f64>, velocity: Vector3<f64>, climb: f64) -> Alarm {
     let mut predictor = Recorded::<CrashPredictor>::default();
-    let (position, velocity) = (Vector3::z() * height, Vector3::z() * speed);
     let estimate = Estimate { position, velocity, ..Estimate::default() };
     let level = Orientation::of(&Vector3::zeros());
     let mut period =
@@ -326,6 +367,23 @@ fn the_ceiling_and_a_hard_touch_down_raise_their_alarms() {
     assert_eq!(alarm(0.01, -0.5, 0.0), Alarm::Clear, "slow");
     assert_eq!(alarm(0.05, -1.0, 0.0), Alarm::Impact);
     assert_eq!(alarm(0.05, -0.6, -2.0), Alarm::Impact, "fast within the horizon");
+}
+
+#[test]
+fn leaving_the_room_to_any_side_raises_its_alarm() {
+    let reach = Limits::room().reach;
+    for side in [Vector3::x(), Vector3::y()] {
+        for side in [side, -side] {
+            let at = |place: f64| Vector3::z() + side * place;
+            assert_eq!(alarm_at(at(reach - 0.1), Vector3::zeros(), 0.0), Alarm::Clear);
+            assert_eq!(alarm_at(at(reach + 0.1), Vector3::zeros(), 0.0), Alarm::Position);
+            assert_eq!(
+                alarm_at(at(reach - 0.01), side, 0.0),
+                Alarm::Position,
+                "within the horizon"
+            );
+        }
+    }
 }
 
 #[test]

@@ -1,11 +1,14 @@
 //! The reference generator follows orders: the first step, the way round, the link that is lost; and what the
 //! loops remember.
 
+mod recorded;
+
 use bessemer::nalgebra::Vector3;
 use models::receiver::Orders;
 use models::reference_generator::{Course, ReferenceGenerator};
 use models::trajectory::{SetPoint, Trajectory};
 use models::{Attitude, Estimate, Height, Mode, Parameters, Phase, Target};
+use recorded::Recorded;
 use std::f64::consts::PI;
 
 /// To 1 m, and to a yaw from 5 s on.
@@ -26,7 +29,7 @@ fn at(height: f64, yaw: f64) -> Estimate {
 }
 
 /// A generator that has followed the orders for so long, s, at the wanted height.
-fn flown(generator: &mut ReferenceGenerator, orders: &Orders, time: f64) -> Target {
+fn flown(generator: &mut Recorded<ReferenceGenerator>, orders: &Orders, time: f64) -> Target {
     let course = Course::mambo();
     let mut target = Target::idle();
     for _ in 0..(time / course.period).round() as u32 {
@@ -37,7 +40,7 @@ fn flown(generator: &mut ReferenceGenerator, orders: &Orders, time: f64) -> Targ
 
 #[test]
 fn a_take_off_in_the_very_first_step_is_one() {
-    let mut generator = ReferenceGenerator::default();
+    let mut generator = Recorded::<ReferenceGenerator>::default();
     // The height is a little above 0, by noise.
     let first = generator.step(&Course::mambo(), &orders(0.0), &at(0.01, 0.0), false, false);
     assert_eq!(first.phase, Phase::TakeOff);
@@ -47,7 +50,7 @@ fn a_take_off_in_the_very_first_step_is_one() {
 
 #[test]
 fn it_turns_the_short_way_round() {
-    let mut generator = ReferenceGenerator::default();
+    let mut generator = Recorded::<ReferenceGenerator>::default();
     flown(&mut generator, &orders(3.0), 9.0);
     assert!((generator.yaw - 3.0).abs() < 1e-9, "{}", generator.yaw);
     // From 3 to −3 it is 0.28 through half a turn, not 6 back.
@@ -62,7 +65,7 @@ fn it_turns_the_short_way_round() {
 #[test]
 fn a_silent_ground_is_waited_for_then_left() {
     let course = Course::mambo();
-    let mut generator = ReferenceGenerator::default();
+    let mut generator = Recorded::<ReferenceGenerator>::default();
     let mut orders = Orders { watched: true, silence: 0.0, ..orders(1.0) };
     flown(&mut generator, &orders, 3.0);
     assert_eq!(generator.phase, Phase::Flight);
@@ -77,14 +80,14 @@ fn a_silent_ground_is_waited_for_then_left() {
     flown(&mut generator, &orders, 0.01);
     assert_eq!(generator.phase, Phase::Landing);
     // A ground that never said that it would be heard of again is not missed.
-    let mut other = ReferenceGenerator::default();
+    let mut other = Recorded::<ReferenceGenerator>::default();
     flown(&mut other, &Orders { watched: false, ..orders }, 3.0);
     assert_eq!(other.phase, Phase::Flight);
 }
 
 #[test]
 fn a_pilot_who_is_lost_leaves_the_aircraft_where_it_is() {
-    let mut generator = ReferenceGenerator::default();
+    let mut generator = Recorded::<ReferenceGenerator>::default();
     let mut manual = Orders { watched: true, silence: 0.0, ..orders(0.0) };
     flown(&mut generator, &manual, 3.0);
     manual.mode = Mode::Manual;
@@ -100,7 +103,7 @@ fn a_pilot_who_is_lost_leaves_the_aircraft_where_it_is() {
 #[test]
 fn an_aircraft_that_must_land_at_once_stops_gently_ahead_of_its_place() {
     let (course, orders) = (Course::mambo(), orders(0.0));
-    let mut generator = ReferenceGenerator::default();
+    let mut generator = Recorded::<ReferenceGenerator>::default();
     flown(&mut generator, &orders, 3.0);
     let moving = Estimate { velocity: Vector3::new(1.0, 0.0, 0.3), ..at(1.0, 0.0) };
     let mut before = generator.step(&course, &orders, &moving, false, true);

@@ -290,6 +290,78 @@ pub const CASES: &[Case<'static>] = &[
         ..PLAIN
     },
     Case {
+        name: "a dossier of a package that is not there",
+        files: MAPPED,
+        words: &["dossier", "--package", "pump"],
+        said: "there is no package `pump`",
+        ..PLAIN
+    },
+    Case {
+        name: "tests of a package that is not there",
+        files: MAPPED,
+        words: &["dossier", "--tests", "pump"],
+        said: "there is no package `pump`",
+        ..PLAIN
+    },
+    Case {
+        name: "rounds that are no number",
+        files: MAPPED,
+        words: &["dossier", "--fill", "all"],
+        said: "invalid value 'all' for '--fill <ROUNDS>'",
+        ..PLAIN
+    },
+    Case {
+        name: "a comparison that would also write",
+        files: MAPPED,
+        words: &["dossier", "--check", "dossier", "--since", "v1"],
+        said: "cannot be used with",
+        ..PLAIN
+    },
+    Case {
+        name: "a reason that is empty",
+        files: &[
+            PACKAGE[0],
+            RUST,
+            PACKAGE[2],
+            PACKAGE[3],
+            C,
+            MAP,
+            ("coverage.csv", "function,code,reason\nf,g();,\n"),
+        ],
+        words: &["dossier", "--reasons", "coverage.csv"],
+        said: "`coverage.csv`: line 2: `reason` is empty",
+        ..PLAIN
+    },
+    Case {
+        name: "reasons that are no text",
+        files: &[PACKAGE[0], RUST, PACKAGE[2], PACKAGE[3], C, MAP, ("coverage.csv", "")],
+        words: &["dossier", "--reasons", "coverage.csv"],
+        said: "`coverage.csv`: the first line names no column `function`",
+        ..PLAIN
+    },
+    Case {
+        name: "an attribute with an empty requirement",
+        files: &[
+            PACKAGE[0],
+            ("src/lib.rs", "\n#[requirement(\"\")]\nfn f() {}\n"),
+            PACKAGE[2],
+            PACKAGE[3],
+            C,
+            MAP,
+        ],
+        words: &["dossier"],
+        said: "`src/lib.rs`, line 2: a requirement is named by its identifier",
+        ..PLAIN
+    },
+    Case {
+        name: "requirements in XML of something else",
+        files: &[PACKAGE[0], RUST, PACKAGE[2], PACKAGE[3], C, MAP, ("hlr.reqif", "<html></html>")],
+        words: &["dossier", "--requirements", "hlr.reqif"],
+        said: "`hlr.reqif`: ",
+        remedy: "or ReqIF",
+        ..PLAIN
+    },
+    Case {
         name: "inputs without an entry point",
         files: MAPPED,
         words: &["dossier", "--inputs", "=flight.csv"],

@@ -7,7 +7,8 @@ use models::crash_predictor::CrashPredictor;
 use models::estimator::Ages;
 use models::gate::Gate;
 use models::packet::Packet;
-use models::receiver::Receiver;
+use models::receiver::{Orders, Receiver};
+use models::reference_generator::{Course, Reference, ReferenceGenerator};
 use models::siphash::Key;
 use models::trajectory::Space;
 use models::{Alarm, Estimate, Inputs, Limits, Onboard, Orientation, Outputs, Settings};
@@ -50,6 +51,21 @@ impl Recorded<Receiver> {
     pub fn step(&mut self, period: f64, space: &Space, packet: &Packet) {
         self.recorder.call(|| (period, *space, *packet));
         self.component.step(period, space, packet);
+    }
+}
+
+impl Recorded<ReferenceGenerator> {
+    #[allow(dead_code, reason = "each program has the components that it tests")]
+    pub fn step(
+        &mut self,
+        course: &Course,
+        orders: &Orders,
+        estimate: &Estimate,
+        landed: bool,
+        degraded: bool,
+    ) -> Reference {
+        self.recorder.call(|| (*course, *orders, *estimate, landed, degraded));
+        self.component.step(course, orders, estimate, landed, degraded)
     }
 }
 
