@@ -102,6 +102,44 @@ pub fn change(
     module.canonical(ty, value);
 }
 
+/// Sets a word of a value, which stays one of its type. `leaves` are those of its type.
+pub fn set(
+    module: &Module,
+    ty: &Type,
+    leaves: &[Type],
+    value: &mut [u64],
+    (at, word): (usize, u64),
+) {
+    if at >= leaves.len() {
+        return;
+    }
+    value[at] = word;
+    each_length(module, ty, value, &mut |length, capacity| *length = (*length).min(capacity));
+    module.canonical(ty, value);
+}
+
+/// Returns the words of a type with which an operation may take longest: large and small numbers, mixed mantissas, limits, all
+/// variants, and `subnormal` ones if they are wanted.
+pub fn slow(module: &Module, ty: &Type, subnormal: bool) -> Vec<u64> {
+    match ty {
+        Type::Enum(id) => (0..module.enums[id.index()].variants.len() as u64).collect(),
+        Type::Scalar(Scalar::Bool) => vec![0, 1],
+        Type::Scalar(Scalar::Int(int)) => {
+            let (min, max) = (Int::min(*int), Int::max(*int));
+            let all = [min, max, max / 3, 0, 1, 2, 3];
+            all.iter().map(|it| *it as u64).collect()
+        }
+        Type::Scalar(Scalar::Float(Float::F64)) => {
+            let wanted = SLOW.iter().filter(|it| subnormal || !it.is_subnormal());
+            wanted.map(|it| it.to_bits()).collect()
+        }
+        Type::Scalar(Scalar::Float(Float::F32)) => {
+            SLOW_SINGLE.iter().map(|it| u64::from(it.to_bits())).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
 /// Calls `f` with the length of each list in a value, and its capacity. Returns the words behind the value.
 fn each_length<'w>(
     module: &Module,
@@ -199,6 +237,39 @@ fn near_float(random: &mut Random, numbers: &[f64]) -> f64 {
         _ => one + (other - one) * (random.below(1025) as f64 / 1024.0),
     }
 }
+
+/// Mantissas of mixed bits, in numbers of all sizes.
+const SLOW: [f64; 14] = [
+    0.0,
+    5e-324,
+    f64::from_bits(0x000F_FFFF_FFFF_FFFF),
+    f64::from_bits(0x0005_5555_5555_5555),
+    -f64::from_bits(0x0000_0000_0055_5555),
+    f64::from_bits(0x0010_0000_0000_0001),
+    -1.2345e-160,
+    1.0 / 3.0,
+    -1.0,
+    123.456,
+    1.2345e160,
+    f64::MAX,
+    -f64::MAX,
+    f64::NAN,
+];
+
+const SLOW_SINGLE: [f32; 12] = [
+    0.0,
+    f32::from_bits(1),
+    f32::from_bits(0x007F_FFFF),
+    -f32::from_bits(0x0000_5555),
+    f32::from_bits(0x0080_0001),
+    -1.2345e-20,
+    1.0 / 3.0,
+    -1.0,
+    123.456,
+    f32::MAX,
+    -f32::MAX,
+    f32::NAN,
+];
 
 const FLOATS: [f64; 14] = [
     0.0,

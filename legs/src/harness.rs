@@ -182,6 +182,37 @@ pub fn counted(
     })
 }
 
+/// Source of the operations that note subnormal numbers.
+pub const SUBNORMAL: &str = include_str!("../c/subnormal.c");
+
+/// Instructions that the program of [`noted`] spends between the marks if a call met a subnormal number. It spends a fraction
+/// of them otherwise.
+pub const LINGERS: u64 = 1_000;
+
+/// Returns the program of [`counted`] that counts no calls: behind each it spends [`LINGERS`] instructions if the call met a
+/// subnormal number. It is linked with [`SUBNORMAL`].
+pub fn noted(
+    module: &Module,
+    entries: &[(FunctionId, u32)],
+    options: &Options,
+    bare: bool,
+) -> String {
+    let carrier = if bare { Carrier::Files } else { Carrier::Streams };
+    let marks = format!(
+        "{MARKS}\nextern int subnormal_seen;\n\nstatic void linger(void)\n{{\n    \
+         for (volatile uint32_t n = 0U; n < {LINGERS}U; n++) {{\n    }}\n}}\n\n"
+    );
+    several(module, entries, options, &carrier, |call, index| {
+        let Call { own, declarations, init, reads, call, spare, .. } = call;
+        let text = format!(
+            "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}    if (get() != 0) {{\n{init}    }}\n\
+             {reads}        subnormal_seen = 0;\n{call}        bench_begin();\n        if (subnormal_seen != 0) {{\n            \
+             linger();\n        }}\n        bench_end();\n        (void)status;\n{spare}}}\n\n"
+        );
+        ([own, marks.clone()], text)
+    })
+}
+
 /// Returns a program with a function for each entry, written by `text`, below the text that several of them share.
 fn several(
     module: &Module,

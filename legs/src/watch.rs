@@ -62,14 +62,15 @@ pub fn watched(
     sources: &[PathBuf],
     input: &[u8],
 ) -> Result<Watched, String> {
-    let program = built(toolchain, folder, main, sources)?;
+    let program = built(toolchain, folder, main, sources, &[])?;
     counted(toolchain, &folder.join(FOLDER), &program, input)
 }
 
 /// Name of the folder in which a program is built and runs, since emitted files can be called anything.
 pub const FOLDER: &str = "watch";
 
-/// Compiles `sources` and the program `main` in a folder of `folder`. Returns the path of the program.
+/// Compiles `sources` and the program `main` in a folder of `folder`, with more flags if there are any. Returns the path of
+/// the program.
 ///
 /// # Errors
 ///
@@ -79,13 +80,14 @@ pub fn built(
     folder: &Path,
     main: &Path,
     sources: &[PathBuf],
+    flags: &[&str],
 ) -> Result<PathBuf, String> {
     let own = folder.join(FOLDER);
     std::fs::create_dir_all(&own).map_err(|error| error.to_string())?;
     let mut sources = sources.to_vec();
     sources.extend(start(toolchain, &own)?);
-    let program = own.join("watched");
-    toolchain.around(main, &sources, &program, &[])?;
+    let program = own.join(main.file_stem().unwrap_or_default());
+    toolchain.around(main, &sources, &program, flags)?;
     Ok(program)
 }
 

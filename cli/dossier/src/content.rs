@@ -197,8 +197,35 @@ pub struct Paths {
     /// Name of the target with its compiler.
     pub target: String,
     /// Entry point, instructions and cycles or the reason for none, the most instructions that a call took, and the ratio of
-    /// the path to it.
-    pub rows: Vec<[String; 5]>,
+    /// the path to it; then instructions, the most and the ratio with normal numbers.
+    pub rows: Vec<[String; 8]>,
+    /// True if subnormal numbers take longer.
+    pub has_normal: bool,
+}
+
+/// Returns the longest paths as CSV.
+pub fn paths_csv(all: &[Paths]) -> String {
+    const HEAD: [&str; 9] = [
+        "target",
+        "entry",
+        "instructions",
+        "cycles",
+        "counted",
+        "ratio",
+        "normal_instructions",
+        "normal_counted",
+        "normal_ratio",
+    ];
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    // A record in memory has no error.
+    let _ = writer.write_record(HEAD);
+    for paths in all {
+        for row in &paths.rows {
+            let cells = row.iter().map(|it| it.replace(SEPARATOR, ""));
+            let _ = writer.write_record(std::iter::once(paths.target.clone()).chain(cells));
+        }
+    }
+    writer.into_inner().map(|it| String::from_utf8_lossy(&it).into_owned()).unwrap_or_default()
 }
 
 /// Goals of a function's contract.
@@ -246,6 +273,9 @@ fn field(name: &str, value: &Value, place: String, docs: &[String]) -> Field {
     }
 }
 
+/// Between thousands.
+const SEPARATOR: char = '\u{202f}';
+
 /// Groups digits of a number by thin spaces.
 pub fn grouped(number: u64) -> String {
     let digits = number.to_string();
@@ -253,7 +283,7 @@ pub fn grouped(number: u64) -> String {
     let mut text = digits[..first].to_owned();
     for (at, digit) in digits[first..].chars().enumerate() {
         if at % 3 == 0 && !text.is_empty() {
-            text.push('\u{202f}');
+            text.push(SEPARATOR);
         }
         text.push(digit);
     }

@@ -4,6 +4,7 @@
 //! how a page looks.
 
 mod checks;
+mod climb;
 mod contracts;
 mod known;
 mod sanitized;
@@ -134,6 +135,9 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
     let place = folder.join(&wanted.output);
     // Before minutes of work, everything that it would be in vain without.
     output::ready(&place).map_err(Wrong::from)?;
+    for package in &wanted.tests {
+        project.workspace.member(package).map_err(bessemer_project::Error::from)?;
+    }
     let inputs = wanted.inputs.iter().map(|said| input(said));
     let recordings = inputs.collect::<Result<Vec<_>, _>>()?;
     let list = wanted.requirements.as_deref().map(requirements).transpose()?;
@@ -318,6 +322,9 @@ fn files(
             evidence::sbom(lock, &content.package, &content.tool, &content.rustc),
         ),
     ]);
+    if !content.paths.is_empty() {
+        files.insert("worst.csv".to_owned(), content::paths_csv(&content.paths));
+    }
     manifest.outputs =
         files.iter().map(|(name, text)| (name.clone(), manifest::hash(text.as_bytes()))).collect();
     files.insert(manifest::NAME.to_owned(), manifest.text());

@@ -5,19 +5,25 @@
 use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_dossier::content::{Outcome, Paths, grouped};
 use bessemer_ir::FunctionId;
-use bessemer_legs::longest::{self, Longest};
+use bessemer_legs::longest::{self, Cost, Longest, Numbers, Processor};
 use bessemer_legs::toolchain::{GCC, Toolchain};
 use bessemer_project::Project;
 
 use super::checks::{FAILED, NOT_RUN, PASSED, first_error, try_out, version};
+use super::climb::{Peaks, climb};
 use super::known::Known;
 use super::outcome;
 use crate::error::Error;
-use crate::verify::counted::Counter;
+use crate::verify::counted::{Both, Counter};
 use crate::verify::search::Life;
 
 /// Most instructions, by their bounds, of the recorded calls of one entry point: some minutes of emulation.
 const BUDGET: u64 = 20_000_000_000;
+
+/// Instructions that are counted to climb at one entry point, and those with subnormal numbers.
+const CLIMB: u64 = 1_000_000_000;
+/// See [`CLIMB`].
+const SLOW: u64 = 200_000_000;
 
 /// Number of words of the calls that one program counts: 64 MB.
 const MOST: usize = 8 << 20;
@@ -35,15 +41,30 @@ fn counted(
     options: &Options,
     toolchain: &Toolchain,
     bounds: &[Longest],
-) -> Result<(usize, Vec<u64>), Error> {
+) -> Result<(usize, Vec<Both>), Error> {
     let functions = &known.functions;
     let mut counter = Counter::build(compiled, options, functions, toolchain)?;
     let of_function = |id: &FunctionId| {
         let at = compiled.entries.iter().position(|it| it.function == *id)?;
-        bounds.get(at)?.cost.as_ref().ok().map(|it| it.instructions.max(1))
+        bounds.get(at)
     };
-    let bounds: Vec<Option<u64>> = functions.iter().map(of_function).collect();
-    counter.count(&known.lives)?;
+    let of = |numbers: Numbers| -> Vec<Option<u64>> {
+        let of_numbers = |it: &Longest| bound(it, numbers).map(|it| it.instructions.max(1));
+        functions.iter().map(|id| of_function(id).and_then(of_numbers)).collect()
+    };
+    let slow = has_slow(toolchain);
+    let mut ascents = vec![Ascents::new(Numbers::Any, slow, of(Numbers::Any))];
+    if slow {
+        ascents.push(Ascents::new(Numbers::Normal, false, of(Numbers::Normal)));
+    }
+    let bounds = of(Numbers::Any);
+    let mut count = |counter: &mut Counter, lives: &[Life]| -> Result<(), Error> {
+        for (life, both) in lives.iter().zip(counter.count(lives)?) {
+            ascents.iter_mut().for_each(|it| it.note(life, both));
+        }
+        Ok(())
+    };
+    count(&mut counter, &known.lives)?;
     let mut rest: Vec<u64> = bounds.iter().map(|it| BUDGET / it.unwrap_or(BUDGET)).collect();
     let (mut lives, mut words) = (Vec::new(), 0);
     known.of_tests(compiled, |mut life| {
@@ -53,34 +74,90 @@ fn counted(
         words += life.calls.iter().map(Vec::len).sum::<usize>();
         lives.push(life);
         if words > MOST {
-            counter.count(&std::mem::take(&mut lives))?;
+            count(&mut counter, &std::mem::take(&mut lives))?;
             words = 0;
         }
         Ok(())
     })?;
-    counter.count(&lives)?;
-    lengthened(known, &mut counter, &bounds)?;
-    let of = |id| functions.iter().position(|it| *it == id).map_or(0, |at| counter.most[at]);
+    count(&mut counter, &lives)?;
+    lengthened(known, &mut counter, &mut ascents)?;
+    let of = |id| {
+        functions.iter().position(|it| *it == id).map_or(Both::default(), |at| counter.most[at])
+    };
     Ok((counter.calls, compiled.entries.iter().map(|it| of(it.function)).collect()))
 }
 
-/// Searches for longer calls of the entry points: changes lives, and keeps those with the most instructions so far.
+/// Returns true if subnormal numbers take longer on a target.
+fn has_slow(toolchain: &Toolchain) -> bool {
+    longest::processor(toolchain) == Some(Processor::M4f)
+}
+
+fn bound(longest: &Longest, numbers: Numbers) -> Option<Cost> {
+    let cost = match numbers {
+        Numbers::Any => &longest.cost,
+        Numbers::Normal => &longest.normal,
+    };
+    cost.as_ref().ok().copied()
+}
+
+/// The search for longer calls with these numbers.
+struct Ascents {
+    numbers: Numbers,
+    /// True if the numbers may be subnormal and those take longer: no bound of such is near.
+    is_slow: bool,
+    /// Instructions of each function.
+    bounds: Vec<Option<u64>>,
+    peaks: Vec<Peaks>,
+}
+
+impl Ascents {
+    fn new(numbers: Numbers, is_slow: bool, bounds: Vec<Option<u64>>) -> Ascents {
+        let peaks = vec![Peaks::default(); bounds.len()];
+        Ascents { numbers, is_slow, bounds, peaks }
+    }
+
+    fn note(&mut self, life: &Life, both: Both) {
+        self.peaks[life.target].note(life, both.of(self.numbers));
+    }
+
+    /// True if the bound of a function is far above the most that was counted.
+    fn is_open(&self, counter: &Counter, at: usize) -> bool {
+        let most = counter.most[at].of(self.numbers).instructions;
+        self.bounds[at].is_some_and(|it| 100 * it > CLOSE * most)
+    }
+}
+
+/// Searches for longer calls of the entry points: changes lives, and keeps those with the most instructions so far. Then it
+/// climbs from the longest ones.
 fn lengthened(
     known: &Known<'_>,
     counter: &mut Counter,
-    bounds: &[Option<u64>],
+    ascents: &mut [Ascents],
 ) -> Result<(), Error> {
     let mut search = known.search.clone();
     for _ in 0..known.rounds {
-        let open = |at: &usize| bounds[*at].is_some_and(|it| 100 * it > CLOSE * counter.most[*at]);
-        let open: Vec<usize> = (0..bounds.len()).filter(open).collect();
+        let open = |at: &usize| ascents.iter().any(|it| it.is_open(counter, *at));
+        let open: Vec<usize> = (0..counter.most.len()).filter(open).collect();
         let changed = |at: &usize| search.changed(*at).into_iter().take(BATCH).collect::<Vec<_>>();
         let lives: Vec<Life> = open.iter().flat_map(changed).collect();
         let before = counter.most.clone();
-        let most = counter.count(&lives)?;
-        for (life, most) in lives.iter().zip(most) {
-            if most > before[life.target] {
+        for (life, both) in lives.iter().zip(counter.count(&lives)?) {
+            let before = before[life.target];
+            let longer = ascents
+                .iter()
+                .any(|it| both.of(it.numbers).instructions > before.of(it.numbers).instructions);
+            if longer {
                 search.keep(life);
+            }
+            ascents.iter_mut().for_each(|it| it.note(life, both));
+        }
+    }
+    for it in ascents {
+        for at in 0..it.bounds.len() {
+            if let Some(bound) = it.bounds[at].filter(|_| it.is_open(counter, at)) {
+                let budget = if it.is_slow { SLOW } else { CLIMB };
+                let ends = [100 * bound / CLOSE, budget];
+                climb(&mut search, counter, &it.peaks[at], it.numbers, ends)?;
             }
         }
     }
@@ -124,7 +201,7 @@ pub fn paths(
     let most = counted.as_ref().map(|it| it.1.clone()).unwrap_or_default();
     let rows: Vec<Row> =
         list.iter().enumerate().map(|(at, it)| Row::of(it, most.get(at).copied())).collect();
-    let bounds = rows.iter().filter(|it| it.bound.is_some()).count();
+    let bounds = rows.iter().filter(|it| it.any.bound.is_some()).count();
     let mut detail = format!("{bounds} of {} entry points have a bound", rows.len());
     let mut verdict = PASSED;
     match counted {
@@ -146,49 +223,72 @@ pub fn paths(
         }
     }
     let rows = rows.iter().map(Row::cells).collect();
-    let paths = Paths { target: format!("{name}: {compiler}, -O2"), rows };
+    let target = format!("{name}: {compiler}, -O2");
+    let paths = Paths { target, rows, has_normal: has_slow(&toolchain) };
     (of(verdict, detail), Some(paths))
 }
 
 /// An entry point with its path and the most that was counted.
 struct Row {
     entry: String,
-    /// Instructions and cycles.
-    bound: Option<longest::Cost>,
+    any: Pair,
+    normal: Pair,
     /// The reason for no bound.
     why: String,
+}
+
+/// A bound, and the most that was counted.
+#[derive(Clone, Copy)]
+struct Pair {
+    bound: Option<Cost>,
     /// Instructions; zero if no call was counted.
     most: u64,
 }
 
-impl Row {
-    fn of(longest: &Longest, most: Option<u64>) -> Row {
-        Row {
-            entry: longest.entry.clone(),
-            bound: longest.cost.as_ref().ok().copied(),
-            why: longest.cost.as_ref().err().cloned().unwrap_or_default(),
-            most: most.unwrap_or_default(),
-        }
-    }
-
+impl Pair {
     fn is_beyond(&self) -> bool {
         self.bound.is_some_and(|it| self.most > it.instructions)
     }
 
-    /// Entry point, bound in instructions and in cycles, the most that was counted, and their ratio.
-    fn cells(&self) -> [String; 5] {
-        let (instructions, cycles) = match self.bound {
+    /// The most that was counted, and the ratio of the bound to it.
+    fn cells(&self) -> [String; 2] {
+        let most = if self.most == 0 { String::new() } else { grouped(self.most) };
+        let ratio = self.bound.filter(|_| self.most > 0).map_or_else(String::new, |it| {
+            format!("{:.2}", it.instructions as f64 / self.most as f64)
+        });
+        [most, ratio]
+    }
+}
+
+impl Row {
+    fn of(longest: &Longest, most: Option<Both>) -> Row {
+        let pair = |numbers| Pair {
+            bound: bound(longest, numbers),
+            most: most.map_or(0, |it| it.of(numbers).instructions),
+        };
+        Row {
+            entry: longest.entry.clone(),
+            any: pair(Numbers::Any),
+            normal: pair(Numbers::Normal),
+            why: longest.cost.as_ref().err().cloned().unwrap_or_default(),
+        }
+    }
+
+    fn is_beyond(&self) -> bool {
+        self.any.is_beyond() || self.normal.is_beyond()
+    }
+
+    /// Entry point, bound in instructions and in cycles, the most that was counted, and their ratio; then the bound, the most
+    /// and the ratio with normal numbers.
+    fn cells(&self) -> [String; 8] {
+        let (instructions, cycles) = match self.any.bound {
             Some(cost) => (grouped(cost.instructions), grouped(cost.cycles)),
             None => (self.why.clone(), String::new()),
         };
-        let (most, ratio) = match (self.most, self.bound) {
-            (0, _) => (String::new(), String::new()),
-            (most, None) => (grouped(most), String::new()),
-            (most, Some(cost)) => {
-                (grouped(most), format!("{:.2}", cost.instructions as f64 / most as f64))
-            }
-        };
-        [self.entry.clone(), instructions, cycles, most, ratio]
+        let [most, ratio] = self.any.cells();
+        let normal = self.normal.bound.map_or_else(String::new, |it| grouped(it.instructions));
+        let [most_normal, ratio_normal] = self.normal.cells();
+        [self.entry.clone(), instructions, cycles, most, ratio, normal, most_normal, ratio_normal]
     }
 }
 
@@ -197,17 +297,22 @@ mod tests {
     use super::*;
 
     fn row(most: u64) -> Row {
-        let bound = Some(longest::Cost { instructions: 100, cycles: 250 });
-        Row { entry: "motor_step".to_owned(), bound, why: String::new(), most }
+        let any = Pair { bound: Some(Cost { instructions: 100, cycles: 250 }), most };
+        let normal = Pair { bound: Some(Cost { instructions: 50, cycles: 100 }), most: 40 };
+        Row { entry: "motor_step".to_owned(), any, normal, why: String::new() }
     }
 
     #[test]
     fn a_call_beyond_its_path_is_found() {
         assert_eq!([row(100), row(101)].map(|it| it.is_beyond()), [false, true]);
-        assert_eq!(row(80).cells(), ["motor_step", "100", "250", "80", "1.25"]);
-        let none = Row { bound: None, why: "no bound".to_owned(), ..row(80) };
-        assert_eq!(none.cells(), ["motor_step", "no bound", "", "80", ""]);
+        assert_eq!(row(80).cells(), ["motor_step", "100", "250", "80", "1.25", "50", "40", "1.25"]);
+        let mut normal = row(80);
+        normal.normal.most = 51;
+        assert!(normal.is_beyond());
+        let pair = |most| Pair { bound: None, most };
+        let none = Row { any: pair(80), normal: pair(0), why: "no bound".to_owned(), ..row(80) };
+        assert_eq!(none.cells(), ["motor_step", "no bound", "", "80", "", "", "", ""]);
         assert!(!none.is_beyond());
-        assert_eq!(row(0).cells()[3..], ["", ""]);
+        assert_eq!(row(0).cells()[3..5], ["", ""]);
     }
 }

@@ -225,6 +225,7 @@ mod tests {
         let path = |instructions| Longest {
             entry: "motor_step".to_owned(),
             cost: Ok(longest::Cost { instructions, cycles: 9 }),
+            normal: Ok(longest::Cost { instructions, cycles: 9 }),
         };
         let longest = vec![Some(path(99)), Some(path(5))];
         let seen = Seen { outcomes, costs, sizes, longest };

@@ -4,9 +4,10 @@
 //! Invariants: each life begins in the initial state, so that what it reaches can be reached; a seed gives the same lives
 //! each time. It must not know how the coverage is measured.
 
-use bessemer_ir::{FunctionId, Module, Role, Type};
+use bessemer_ir::{FunctionId, Module, Role, Scalar, Type};
 use bessemer_legs::arguments::{self, Numbers, Size};
 use bessemer_legs::harness;
+use bessemer_legs::longest::Numbers as Met;
 use bessemer_legs::random::Random;
 
 use super::{CALLS, LIFE};
@@ -39,6 +40,19 @@ impl Life {
         }
         bytes
     }
+}
+
+/// A change of one word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// Place of the argument, and of the word in it.
+    pub argument: usize,
+    /// See `argument`.
+    pub leaf: usize,
+    /// The new word.
+    pub word: u64,
+    /// True if all calls of a life are changed, and not only the last one.
+    pub all: bool,
 }
 
 /// A function that is called.
@@ -134,6 +148,45 @@ impl<'m> Search<'m> {
             target.known.remove(self.random.below(KEPT));
         }
         target.known.push(Life { target: life.target, calls });
+    }
+
+    /// Returns the changes of one word that may make a call longer: those of flags and variants, which choose a path, before
+    /// those of numbers, each in random order.
+    pub fn steps(&mut self, place: usize, numbers: Met) -> Vec<Step> {
+        let (mut choices, mut others) = (Vec::new(), Vec::new());
+        for (argument, (_, leaves)) in self.targets[place].arguments.iter().enumerate() {
+            for (leaf, ty) in leaves.iter().enumerate() {
+                let chooses = matches!(ty, Type::Enum(_) | Type::Scalar(Scalar::Bool));
+                let steps = if chooses { &mut choices } else { &mut others };
+                for word in arguments::slow(self.module, ty, numbers == Met::Any) {
+                    let of = |all| Step { argument, leaf, word, all };
+                    steps.extend([of(false), of(true)]);
+                }
+            }
+        }
+        for steps in [&mut choices, &mut others] {
+            for at in (1..steps.len()).rev() {
+                steps.swap(at, self.random.below(at + 1));
+            }
+        }
+        choices.append(&mut others);
+        choices
+    }
+
+    /// Returns a life with these changes, each of the last call or of all.
+    pub fn stepped(&self, life: &Life, steps: &[Step]) -> Life {
+        let mut life = life.clone();
+        let target = &self.targets[life.target];
+        for step in steps {
+            let before: usize = target.arguments[..step.argument].iter().map(|it| it.1.len()).sum();
+            let (ty, leaves) = &target.arguments[step.argument];
+            let first = if step.all { 0 } else { life.calls.len().saturating_sub(1) };
+            for call in life.calls.iter_mut().skip(first) {
+                let value = &mut call[before..before + leaves.len()];
+                arguments::set(self.module, ty, leaves, value, (step.leaf, step.word));
+            }
+        }
+        life
     }
 
     /// Returns changed lives of one function.

@@ -24,6 +24,7 @@ use bessemer_codegen::compile::Compiled;
 use crate::process;
 use crate::toolchain::{self, Toolchain};
 use assembly::{Function, Step};
+pub use library::{Numbers, slow};
 use passes::Passes;
 
 /// A processor of the model.
@@ -51,6 +52,8 @@ pub struct Longest {
     pub entry: String,
     /// Its cost, or the reason for none.
     pub cost: Result<Cost, String>,
+    /// Its cost if it meets normal numbers alone.
+    pub normal: Result<Cost, String>,
 }
 
 /// Returns the processor that a toolchain compiles for; none if the model has no figures for it.
@@ -82,17 +85,22 @@ pub fn longest(compiled: &Compiled, toolchain: &Toolchain) -> Result<Option<Vec<
         functions.entry(function.name.clone()).or_default().push(function);
     }
     let passes = Passes::of(compiled);
-    let mut costs = Costs {
+    let places = library::places(&compiled.explicit);
+    let costs = |numbers| Costs {
         processor,
+        numbers,
         functions: &functions,
         passes: &passes,
-        places: library::places(&compiled.explicit),
+        places,
         known: BTreeMap::new(),
     };
-    let entries = compiled.entries.iter();
-    Ok(Some(
-        entries.map(|it| Longest { entry: it.entry.clone(), cost: costs.of(&it.entry) }).collect(),
-    ))
+    let (mut any, mut normal) = (costs(Numbers::Any), costs(Numbers::Normal));
+    let mut of = |entry: &str| Longest {
+        entry: entry.to_owned(),
+        cost: any.of(entry),
+        normal: normal.of(entry),
+    };
+    Ok(Some(compiled.entries.iter().map(|it| of(&it.entry)).collect()))
 }
 
 /// Returns the instructions of each function's caller in a program of [`counted`](crate::harness::counted).
@@ -148,6 +156,7 @@ fn assembled(toolchain: &Toolchain, sources: &[PathBuf]) -> Result<Vec<String>, 
 
 struct Costs<'f> {
     processor: Processor,
+    numbers: Numbers,
     /// Functions by name. Each file may have one of its own: a copy of an inline function, or gcc's copy for the constants of
     /// its calls (`f.constprop.0`).
     functions: &'f BTreeMap<String, Vec<Function>>,
@@ -189,12 +198,16 @@ impl Costs<'_> {
                 sum.instructions += 1;
                 sum.cycles += cycles::of(self.processor, &instruction.text);
                 if let Step::Call(callee) = &instruction.step {
-                    let cost =
-                        match library::cost(self.processor, callee, instruction.bytes, self.places)
-                        {
-                            Some(cost) => cost,
-                            None => self.of(callee)?,
-                        };
+                    let cost = match library::cost(
+                        self.processor,
+                        callee,
+                        instruction.bytes,
+                        self.places,
+                        self.numbers,
+                    ) {
+                        Some(cost) => cost,
+                        None => self.of(callee)?,
+                    };
                     sum.instructions += cost.instructions;
                     sum.cycles += cost.cycles;
                 }
@@ -227,6 +240,7 @@ mod tests {
             let functions = BTreeMap::from([("f".to_owned(), copies(bodies).into())]);
             let mut costs = Costs {
                 processor: Processor::M4f,
+                numbers: Numbers::Any,
                 functions: &functions,
                 passes: &Passes::default(),
                 places: 0,
