@@ -118,8 +118,9 @@ pub fn set(
     module.canonical(ty, value);
 }
 
-/// Returns the words of a type with which an operation may take longest: large and small numbers, mixed mantissas, limits, all
-/// variants, and `subnormal` ones if they are wanted.
+/// Returns the words of a type with which an operation may take longest, `subnormal` numbers among them or not.
+///
+/// They are large and small numbers, mixed mantissas, limits, and all variants.
 pub fn slow(module: &Module, ty: &Type, subnormal: bool) -> Vec<u64> {
     match ty {
         Type::Enum(id) => (0..module.enums[id.index()].variants.len() as u64).collect(),

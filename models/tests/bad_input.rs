@@ -7,7 +7,7 @@ use bessemer::nalgebra::Vector3;
 use models::calibration::{Calibration, Inertial, Readings, Vicon};
 use models::crash_predictor::CrashPredictor;
 use models::estimator::Ages;
-use models::packet::Packet;
+use models::packet::{Packet, SIZE_OFFSET};
 use models::receiver::{
     ARM, COMMIT, DISARM, HEARTBEAT, HELLO, MODE, Mode, NEVER, POINT, Receiver, STICKS, STOP,
     TAKE_OFF, within,
@@ -65,7 +65,11 @@ fn what_is_no_packet_is_dropped_and_counted() {
 
     take(&mut receiver, &Packet { length: 64, bytes: [0xFF; 64] });
     take(&mut receiver, &Packet { length: usize::MAX, bytes: [0; 64] });
-    assert_eq!(receiver.tally.corrupt, 2);
+    // One that claims a longer payload than a packet can have.
+    let mut longer = packet(MODE, 2, &[1]);
+    longer.bytes[SIZE_OFFSET] = 57;
+    take(&mut receiver, &Packet { length: 64, ..longer });
+    assert_eq!(receiver.tally.corrupt, 3);
     take(&mut receiver, &packet(MODE, 1, &[1]));
     take(&mut receiver, &packet(MODE, 0, &[1]));
     assert_eq!(receiver.tally.outdated, 2);

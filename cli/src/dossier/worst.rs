@@ -21,9 +21,9 @@ use crate::verify::search::Life;
 const BUDGET: u64 = 20_000_000_000;
 
 /// Instructions that are counted to climb at one entry point, and those with subnormal numbers.
-const CLIMB: u64 = 1_000_000_000;
+const CLIMB: u64 = 600_000_000;
 /// See [`CLIMB`].
-const SLOW: u64 = 200_000_000;
+const SLOW: u64 = 120_000_000;
 
 /// Number of words of the calls that one program counts: 64 MB.
 const MOST: usize = 8 << 20;

@@ -92,7 +92,7 @@ pub fn run(package: &Path) {
     since(package);
 }
 
-/// Where Chromium is installed: a line and a name have their counterparts in the page of both sides.
+/// Shows a line and a name with their counterparts in Chromium, if it is installed.
 fn in_a_browser(folder: &Path, package: &Path) {
     let c = fs::read_to_string(package.join("generated/motor.c")).expect("the C");
     let line = c.lines().position(|it| it.contains("clamp_f64(")).expect("a statement") + 1;
