@@ -293,14 +293,16 @@ pub const CASES: &[Case<'static>] = &[
         name: "a dossier of a package that is not there",
         files: MAPPED,
         words: &["dossier", "--package", "pump"],
-        said: "there is no package `pump`",
+        said: "the workspace has no package `pump`",
+        remedy: "choose from motor",
         ..PLAIN
     },
     Case {
         name: "tests of a package that is not there",
         files: MAPPED,
         words: &["dossier", "--tests", "pump"],
-        said: "there is no package `pump`",
+        said: "the workspace has no package `pump`",
+        remedy: "choose from motor",
         ..PLAIN
     },
     Case {
@@ -350,7 +352,7 @@ pub const CASES: &[Case<'static>] = &[
             MAP,
         ],
         words: &["dossier"],
-        said: "`src/lib.rs`, line 2: a requirement is named by its identifier",
+        said: "`src/lib.rs`, line 2: an identifier of a requirement is one word",
         ..PLAIN
     },
     Case {
