@@ -64,10 +64,10 @@
     }
     return undefined;
   }
-  // A name of the C and one of the Rust for the same thing: `GRAVITY` is `airframe_gravity` or `AIRFRAME_GRAVITY` in the C.
+  // A name of the C and one of the Rust for the same thing: `GRAVITY` is `AIRFRAME_GRAVITY` in the C, and `clamp` is `clamp_f64`.
   function alike(c, rust) {
     const one = c.toLowerCase(), other = rust.toLowerCase();
-    return one === other || one.endsWith("_" + other);
+    return one === other || one.endsWith("_" + other) || one.startsWith(other + "_");
   }
   function longest(found) {
     return found.sort(function (one, other) { return other.length - one.length || (one < other ? -1 : 1); })[0];
