@@ -20,10 +20,12 @@ use crate::verify::search::Life;
 /// Most instructions, by their bounds, of the recorded calls of one entry point: some minutes of emulation.
 const BUDGET: u64 = 20_000_000_000;
 
-/// Instructions that are counted to climb at one entry point, and those with subnormal numbers.
-const CLIMB: u64 = 600_000_000;
-/// See [`CLIMB`].
-const SLOW: u64 = 120_000_000;
+/// Instructions that are counted to climb at one entry point.
+const CLIMB: u64 = 2_000_000_000;
+/// The same where doubles are the library's, so that all calls are longer and are counted twice.
+const CLIMB_SOFT: u64 = 450_000_000;
+/// The same with subnormal numbers, of which no bound is near.
+const CLIMB_SUBNORMAL: u64 = 60_000_000;
 
 /// Number of words of the calls that one program counts: 64 MB.
 const MOST: usize = 8 << 20;
@@ -152,10 +154,15 @@ fn lengthened(
             ascents.iter_mut().for_each(|it| it.note(life, both));
         }
     }
+    let soft = ascents.len() > 1;
     for it in ascents {
         for at in 0..it.bounds.len() {
             if let Some(bound) = it.bounds[at].filter(|_| it.is_open(counter, at)) {
-                let budget = if it.is_slow { SLOW } else { CLIMB };
+                let budget = match (soft, it.is_slow) {
+                    (false, _) => CLIMB,
+                    (true, false) => CLIMB_SOFT,
+                    (true, true) => CLIMB_SUBNORMAL,
+                };
                 let ends = [100 * bound / CLOSE, budget];
                 climb(&mut search, counter, &it.peaks[at], it.numbers, ends)?;
             }

@@ -122,11 +122,16 @@ impl Counter {
     pub fn count(&mut self, lives: &[Life]) -> Result<Vec<Both>, Error> {
         let input: Vec<u8> = lives.iter().flat_map(Life::bytes).collect();
         let calls: usize = lives.iter().map(|it| it.calls.len()).sum();
-        let counts = self.run(&self.folder, &self.program, &input, calls)?;
-        let met = match &self.notes {
-            Some((folder, program)) => self.run(folder, program, &input, calls)?,
-            None => vec![0; calls],
+        let noted = || match &self.notes {
+            Some((folder, program)) => self.run(folder, program, &input, calls),
+            None => Ok(vec![0; calls]),
         };
+        let (counts, met) = std::thread::scope(|scope| {
+            let noted = scope.spawn(noted);
+            let counts = self.run(&self.folder, &self.program, &input, calls);
+            (counts, noted.join())
+        });
+        let (counts, met) = (counts?, met.unwrap_or_else(|it| std::panic::resume_unwind(it))?);
         self.calls += calls;
         let mut rest = counts.iter().zip(&met);
         let longest = lives.iter().map(|life| {
