@@ -4,7 +4,7 @@
 mod recorded;
 
 use bessemer::nalgebra::Vector3;
-use models::calibration::{Calibration, Inertial, Readings, Vicon};
+use models::calibration::{Calibration, Echo, Flow, Inertial, Readings, Vicon};
 use models::crash_predictor::CrashPredictor;
 use models::estimator::Ages;
 use models::packet::{Packet, SIZE_OFFSET};
@@ -402,6 +402,30 @@ fn vicon_without_numbers_is_vicon_lost() {
     let last = last(&outputs);
     assert_eq!(last.alarm, Alarm::Clear);
     assert!(last.ages.vicon > 2.4, "{:?}", last.ages);
+    assert!(last.estimate.position.norm().is_finite() && last.command.motors.sum().is_finite());
+}
+
+/// The longest period: every sensor delivers, the gyroscope is stuck, and the ground sends packets.
+#[test]
+fn in_flight_all_sensors_deliver_while_the_gyroscope_is_stuck() {
+    let outputs = flown(1000, |n, inputs| {
+        let wiggle = (n * 7919 % 13) as i16;
+        let readings = &mut inputs.readings;
+        if n >= 600 {
+            readings.inertial.gyroscope = [3, 3, 3];
+            readings.vicon.fresh = true;
+            readings.vicon.angles.z = 1e-3 * f64::from(wiggle);
+            readings.echo = Echo { fresh: true, delay: 5800 + wiggle as u32 };
+            readings.flow = Flow { fresh: true, velocity: [wiggle, -wiggle] };
+            let point = set_point((n % 16) as u8, [0.5 * (n % 16) as f64, 0.1, 0.1, 1.0, 0.0]);
+            inputs.uplink = match n % 32 {
+                31 => packet(COMMIT, n as u16, &[16, 0]),
+                _ => packet(POINT, n as u16, &point),
+            };
+        }
+    });
+    let last = last(&outputs);
+    assert!(last.ages.inertial > 1.0 && last.ages.vicon < 0.1, "{:?}", last.ages);
     assert!(last.estimate.position.norm().is_finite() && last.command.motors.sum().is_finite());
 }
 

@@ -137,3 +137,18 @@ fn integrals_end_somewhere() {
     height.step(&parameters, &near, 0.0, 0.0);
     assert_eq!(height.integral, 9.0);
 }
+
+#[test]
+fn a_trajectory_with_all_its_points_is_flown_to_its_end() {
+    let mut orders = orders(0.0);
+    orders.trajectory.count = orders.trajectory.points.len();
+    for (n, point) in orders.trajectory.points.iter_mut().enumerate() {
+        let turn = n as f64 * 0.4;
+        let position = Vector3::new(turn.sin(), turn.cos() - 1.0, 1.0);
+        *point = SetPoint { time: 0.5 * n as f64, position, yaw: 2.5 * turn };
+    }
+    let mut generator = Recorded::<ReferenceGenerator>::default();
+    let last = orders.trajectory.points[orders.trajectory.count - 1];
+    flown(&mut generator, &orders, 12.0);
+    assert_eq!((generator.phase, generator.wanted.position), (Phase::Flight, last.position));
+}

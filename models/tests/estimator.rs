@@ -1,6 +1,8 @@
 //! The filters: covariances stay what they are, gates keep out what is too far.
 
-use bessemer::nalgebra::{SMatrix, Vector3};
+mod recorded;
+
+use bessemer::nalgebra::{SMatrix, Vector2, Vector3};
 use models::Airframe;
 use models::attitude_filter::AttitudeFilter;
 use models::axis_filter::AxisFilter;
@@ -10,6 +12,7 @@ use models::expectation::{Expectation, Push};
 use models::feed_forward::{Injection, compensation};
 use models::geometry::{Orientation, wrapped};
 use models::stuck::Stuck;
+use recorded::Recorded;
 
 fn is_covariance<const N: usize>(p: &SMatrix<f64, N, N>) -> bool
 where
@@ -186,4 +189,34 @@ fn vicon_sees_nothing_below_the_ground() {
             "{height}"
         );
     }
+}
+
+/// The longest period: each sensor corrects, the yaw is some turns away, and the gyroscope is stuck.
+#[test]
+fn all_sensors_correct_in_one_period_without_a_gyroscope() {
+    let sensors = Sensors::mambo();
+    let mut estimator = Recorded::<Estimator>::default();
+    for n in 0..60_u32 {
+        let small = f64::from(n) * 1e-4;
+        let vicon = Vicon {
+            fresh: true,
+            position: Vector3::new(small, -small, 1.0 + small),
+            angles: Vector3::new(0.01 + small, 0.02 - small, 20.0 + small),
+        };
+        let measured = Measured {
+            inertial: true,
+            rates: Vector3::repeat(0.1),
+            force: Vector3::new(0.1 + small, 0.2, 9.8 - small),
+            echo: true,
+            distance: 1.0 + small,
+            flow: true,
+            flow_velocity: Vector2::new(0.02 + small, 0.02 - small),
+            vicon,
+        };
+        let estimate = estimator.step(&sensors, &Push::default(), &measured);
+        assert!(estimate.position.norm().is_finite() && estimate.angles.norm().is_finite());
+    }
+    assert!(estimator.gyro_lost(), "{:?}", estimator.ages);
+    let ages = estimator.ages;
+    assert_eq!([ages.vicon, ages.height, ages.plane], [0.0; 3], "{ages:?}");
 }

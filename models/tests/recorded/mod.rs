@@ -3,8 +3,10 @@
 use std::ops::{Deref, DerefMut};
 
 use bessemer_words::record::Recorder;
+use models::calibration::Measured;
 use models::crash_predictor::CrashPredictor;
-use models::estimator::Ages;
+use models::estimator::{Ages, Estimator, Sensors};
+use models::expectation::Push;
 use models::gate::Gate;
 use models::packet::Packet;
 use models::receiver::{Orders, Receiver};
@@ -66,6 +68,14 @@ impl Recorded<ReferenceGenerator> {
     ) -> Reference {
         self.recorder.call(|| (*course, *orders, *estimate, landed, degraded));
         self.component.step(course, orders, estimate, landed, degraded)
+    }
+}
+
+impl Recorded<Estimator> {
+    #[allow(dead_code, reason = "each program has the components that it tests")]
+    pub fn step(&mut self, sensors: &Sensors, commanded: &Push, measured: &Measured) -> Estimate {
+        self.recorder.call(|| (*sensors, *commanded, *measured));
+        self.component.step(sensors, commanded, measured)
     }
 }
 
