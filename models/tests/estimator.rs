@@ -191,7 +191,7 @@ fn vicon_sees_nothing_below_the_ground() {
     }
 }
 
-/// The longest period: each sensor corrects, the yaw is some turns away, and the gyroscope is stuck.
+/// The longest period: each sensor corrects, the yaw is several revolutions away, and the gyroscope is stuck.
 #[test]
 fn all_sensors_correct_in_one_period_without_a_gyroscope() {
     let sensors = Sensors::mambo();

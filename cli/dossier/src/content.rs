@@ -196,8 +196,10 @@ pub struct Loop {
 pub struct Paths {
     /// Name of the target with its compiler.
     pub target: String,
-    /// Entry point, instructions and cycles or the reason for none, the most instructions that a call took, and the ratio of
-    /// the path to it; then instructions, the most and the ratio with normal numbers.
+    /// Rows of eight cells.
+    ///
+    /// They are entry point, instructions and cycles or the reason for none, the most instructions that a call took, and the
+    /// ratio of the path to it; then instructions, the most and the ratio with normal numbers.
     pub rows: Vec<[String; 8]>,
     /// True if subnormal numbers take longer.
     pub has_normal: bool,

@@ -128,7 +128,7 @@ impl Ascent<'_, '_> {
             better.extend(counts.zip(some.iter().copied()));
         }
         better.retain(|(count, _)| *count > peak.instructions);
-        // Of the changes of a word the best, and of equal ones the first.
+        // The best change of each word; the first of equal ones.
         better.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
         let mut chosen: Vec<Step> = Vec::new();
         for (_, step) in better {

@@ -20,12 +20,12 @@ use crate::verify::search::Life;
 /// Most instructions, by their bounds, of the recorded calls of one entry point: some minutes of emulation.
 const BUDGET: u64 = 20_000_000_000;
 
-/// Instructions that are counted to climb at one entry point.
-const CLIMB: u64 = 2_000_000_000;
-/// The same where doubles are the library's, so that all calls are longer and are counted twice.
-const CLIMB_SOFT: u64 = 450_000_000;
-/// The same with subnormal numbers, of which no bound is near.
-const CLIMB_SUBNORMAL: u64 = 60_000_000;
+/// Instructions that are counted to climb at one entry point, for each round of the search.
+const CLIMB: u64 = 25_000_000;
+/// [`CLIMB`] where doubles are the library's, so that all calls are longer and are counted twice.
+const CLIMB_SOFT: u64 = 20_000_000;
+/// [`CLIMB`] with subnormal numbers, of which no bound is near.
+const CLIMB_SUBNORMAL: u64 = 3_000_000;
 
 /// Number of words of the calls that one program counts: 64 MB.
 const MOST: usize = 8 << 20;
@@ -163,7 +163,7 @@ fn lengthened(
                     (true, false) => CLIMB_SOFT,
                     (true, true) => CLIMB_SUBNORMAL,
                 };
-                let ends = [100 * bound / CLOSE, budget];
+                let ends = [100 * bound / CLOSE, known.rounds.saturating_mul(budget)];
                 climb(&mut search, counter, &it.peaks[at], it.numbers, ends)?;
             }
         }
@@ -285,8 +285,7 @@ impl Row {
         self.any.is_beyond() || self.normal.is_beyond()
     }
 
-    /// Entry point, bound in instructions and in cycles, the most that was counted, and their ratio; then the bound, the most
-    /// and the ratio with normal numbers.
+    /// Returns a row of [`Paths`].
     fn cells(&self) -> [String; 8] {
         let (instructions, cycles) = match self.any.bound {
             Some(cost) => (grouped(cost.instructions), grouped(cost.cycles)),

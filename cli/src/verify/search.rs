@@ -45,9 +45,9 @@ impl Life {
 /// A change of one word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// Place of the argument, and of the word in it.
+    /// Place of the argument.
     pub argument: usize,
-    /// See `argument`.
+    /// Place of the word in it.
     pub leaf: usize,
     /// The new word.
     pub word: u64,
@@ -150,8 +150,9 @@ impl<'m> Search<'m> {
         target.known.push(Life { target: life.target, calls });
     }
 
-    /// Returns the changes of one word that may make a call longer: those of flags and variants, which choose a path, before
-    /// those of numbers, each in random order.
+    /// Returns the changes of one word that may make a call longer.
+    ///
+    /// Those of flags and variants, which choose a path, are before those of numbers. Both are in random order.
     pub fn steps(&mut self, place: usize, numbers: Met) -> Vec<Step> {
         let (mut choices, mut others) = (Vec::new(), Vec::new());
         for (argument, (_, leaves)) in self.targets[place].arguments.iter().enumerate() {
