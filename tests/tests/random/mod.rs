@@ -498,14 +498,16 @@ fn report(batch: &Batch, all: &[Difference], seed: u64, workspace: &Workspace) {
             let _ = writeln!(text, "{}", program.text);
         }
     }
-    std::fs::write(folder.join(format!("seed{seed}.txt")), &text).expect("a folder to show in");
+    std::fs::write(folder.join(format!("seed{seed}-{}.txt", batch.programs.len())), &text)
+        .expect("a folder to show in");
     let wrong = wrong(batch, all);
     if !wrong.is_empty() {
         text += "SHRUNK\n";
         for program in shrink::shrunk(workspace, &wrong) {
             let _ = writeln!(text, "{}", program.text);
         }
-        std::fs::write(folder.join(format!("seed{seed}.txt")), text).expect("a folder to show in");
+        std::fs::write(folder.join(format!("seed{seed}-{}.txt", batch.programs.len())), text)
+            .expect("a folder to show in");
     }
 }
 

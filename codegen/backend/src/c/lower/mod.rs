@@ -303,6 +303,18 @@ impl<'a> Lower<'a> {
         let enums = self.context.names.enums.iter().map(|names| names.variants.as_slice());
         Enumerators::new(enums).rewrite(&mut self.out);
         self.place_corrupted();
+        self.quiet_parameters();
+    }
+
+    /// Marks parameters that only removed statements read.
+    fn quiet_parameters(&mut self) {
+        for (index, param) in self.signature.params.iter().enumerate() {
+            let looked_at = index == 0 && self.looks;
+            if !looked_at && !mentions::names(&self.out, &param.name) {
+                let name = Expr::cast("void", Expr::name(&param.name));
+                self.out.insert(0, plain(StmtKind::Expr(name)));
+            }
+        }
     }
 
     fn is_fallible(&self) -> bool {
