@@ -20,6 +20,8 @@ use bessemer_ir::{
     Type,
 };
 
+use crate::routines::is_element_wise;
+
 /// Largest number of vectors that a loop reads or writes.
 const VECTORS: usize = 8;
 /// Largest number of elements that are computed one per line, without a loop.
@@ -205,20 +207,4 @@ fn length(ty: &Type) -> Option<u32> {
         }
         _ => None,
     }
-}
-
-fn is_element_wise(routine: Routine) -> bool {
-    matches!(
-        routine,
-        Routine::Add
-            | Routine::Sub
-            | Routine::Neg
-            | Routine::Scale
-            | Routine::Unscale
-            | Routine::ComponentMul
-            | Routine::ComponentDiv
-            | Routine::Inf
-            | Routine::Sup
-            | Routine::Abs
-    )
 }

@@ -15,5 +15,6 @@ mod joined;
 pub mod kernels;
 mod late;
 pub mod passes;
+mod routines;
 mod uncopied;
 pub mod validate;

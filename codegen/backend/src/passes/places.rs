@@ -1,9 +1,10 @@
 //! Comparison and weight of expressions, and hazards of assignments part by part.
 
 use bessemer_ir::visit::{Access, VisitMut, Walk, walk_expr_mut, walk_place_mut};
-use bessemer_ir::{Argument, Expr, ExprKind, Place, Routine, Span, Type};
+use bessemer_ir::{Argument, Expr, ExprKind, Place, Span};
 
 use crate::late::Early;
+use crate::routines::is_element_wise;
 use bessemer_ir::effects::{moves, overlap, reads};
 
 /// Visitor that sets the spans of an expression.
@@ -47,41 +48,6 @@ pub(crate) fn weight(expr: &Expr) -> usize {
     weight
 }
 
-/// Returns true if a routine works element by element, so that it may nest.
-pub(crate) fn elementwise(routine: Routine) -> bool {
-    match routine {
-        Routine::Add
-        | Routine::Sub
-        | Routine::Neg
-        | Routine::Scale
-        | Routine::Unscale
-        | Routine::ComponentMul
-        | Routine::ComponentDiv
-        | Routine::Inf
-        | Routine::Sup
-        | Routine::Abs => true,
-        Routine::Product
-        | Routine::TrMul
-        | Routine::Transpose
-        | Routine::Dot
-        | Routine::Cross
-        | Routine::Norm
-        | Routine::NormSquared
-        | Routine::Amax
-        | Routine::Amin => false,
-    }
-}
-
-/// Returns true if a routine chooses among the elements of its operand, so that an element-wise operand may nest.
-pub(crate) fn reduces(routine: Routine) -> bool {
-    matches!(routine, Routine::Amax | Routine::Amin)
-}
-
-/// Returns true if a routine is the product of a column and a row, which may nest since each element is one product.
-pub(crate) fn outer(routine: Routine, operands: &[Expr]) -> bool {
-    routine == Routine::Product && matches!(operands[0].ty, Type::Matrix { cols: 1, .. })
-}
-
 /// Returns true if assigning `value` to `destination` part by part would overwrite what is still to be read.
 /// `through_pointer` is there if the call returns its result, even a word, through a pointer.
 pub(crate) fn disturbs(destination: &Place, value: &Expr, through_pointer: Option<Early>) -> bool {
@@ -93,7 +59,7 @@ pub(crate) fn disturbs(destination: &Place, value: &Expr, through_pointer: Optio
         }),
         _ if value.ty.is_word() => false,
         ExprKind::Load(place) => moves(place, written),
-        ExprKind::Routine(routine, operands) if elementwise(*routine) => {
+        ExprKind::Routine(routine, operands) if is_element_wise(*routine) => {
             operands.iter().any(|operand| {
                 if operand.ty.is_word() {
                     reads(operand, written)

@@ -2,8 +2,9 @@
 
 use bessemer_ir::{Argument, Expr, ExprKind, Function, Mode, Role, Routine, UnaryOp};
 
-use super::places::{elementwise, outer, reduces, weight};
+use super::places::weight;
 use crate::late::{self, Early};
+use crate::routines::{is_element_wise, outer, reduces};
 
 /// Largest number of elements for which an element-wise routine is written out in C.
 const ELEMENTS: usize = 4;
@@ -88,7 +89,7 @@ pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bo
         ExprKind::Splat(_) => matches!(position, Part | Repeated),
         ExprKind::Routine(Routine::Transpose, _) => matches!(position, Elementwise | Factor),
         ExprKind::Routine(routine, operands) => {
-            position == Elementwise && (elementwise(*routine) || outer(*routine, operands))
+            position == Elementwise && (is_element_wise(*routine) || outer(*routine, operands))
         }
         _ => false,
     }
@@ -114,7 +115,7 @@ pub(crate) fn operand(parent: &ExprKind, operand: &Expr) -> Position {
         ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Matrix(_) => Position::Part,
         ExprKind::Splat(_) => Position::Repeated,
         ExprKind::Routine(routine, _)
-            if (elementwise(*routine) || reduces(*routine)) && operand.ty.is_aggregate() =>
+            if (is_element_wise(*routine) || reduces(*routine)) && operand.ty.is_aggregate() =>
         {
             Position::Elementwise
         }

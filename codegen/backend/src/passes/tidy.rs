@@ -17,9 +17,10 @@ use bessemer_ir::{
     Type,
 };
 
-use super::places::{disturbs, elementwise, outer};
+use super::places::disturbs;
 use super::positions::{self, Callee, Position};
 use crate::late::Early;
+use crate::routines::{is_element_wise, outer};
 use bessemer_ir::effects::{
     calls, is_own, lent, mentions, moves, reads, same_place, writes, writes_local,
 };
@@ -288,7 +289,7 @@ impl Tidy<'_> {
         let StmtKind::Let { local, value: Some(value) } = &stmts[at].kind else { return false };
         let local = *local;
         let ExprKind::Routine(routine, operands) = &value.kind else { return false };
-        let by_elements = elementwise(*routine) || outer(*routine, operands);
+        let by_elements = is_element_wise(*routine) || outer(*routine, operands);
         let Type::Matrix { element: Scalar::Float(_), rows, cols } = value.ty else { return false };
         if !by_elements || rows * cols <= LINES || !self.is_used_once(local) {
             return false;
@@ -376,7 +377,7 @@ fn put_back_within(stmts: &mut [Stmt], local: LocalId, place: &Place) -> bool {
 /// Replaces a local by its value where it is an operand of an element-wise routine.
 fn put(expr: &mut Expr, local: LocalId, value: &Expr) -> bool {
     let ExprKind::Routine(routine, operands) = &mut expr.kind else { return false };
-    elementwise(*routine)
+    is_element_wise(*routine)
         && operands.iter_mut().any(|operand| {
             if is_load(operand, local) {
                 *operand = value.clone();

@@ -12,6 +12,7 @@ use super::super::matrices::Layout;
 use super::super::tree::{Expr, Init, Lines, StmtKind};
 use super::Lower;
 use super::place::shape;
+use crate::routines::{is_element_wise, outer};
 use bessemer_ir::effects::reads_place;
 
 /// Largest number of elements for which an element-wise routine is written out.
@@ -282,7 +283,7 @@ impl Lower<'_> {
         }
         match &operand.kind {
             ExprKind::Routine(routine, operands)
-                if is_element_wise(*routine) || is_outer(*routine, operands) =>
+                if is_element_wise(*routine) || outer(*routine, operands) =>
             {
                 self.fuse(*routine, operands, place)
             }
@@ -496,27 +497,6 @@ fn is_nothing(fused: &Fused, scalar: Scalar, at: &At<'_>) -> bool {
 
 pub(super) fn number(value: u32) -> Expr {
     Expr::name(value.to_string())
-}
-
-/// Returns true if a routine is the product of a column and a row, with one multiplication per element.
-fn is_outer(routine: Routine, operands: &[Ir]) -> bool {
-    routine == Routine::Product && shape(&operands[0].ty).2 == 1
-}
-
-fn is_element_wise(routine: Routine) -> bool {
-    matches!(
-        routine,
-        Routine::Add
-            | Routine::Sub
-            | Routine::Neg
-            | Routine::Scale
-            | Routine::Unscale
-            | Routine::ComponentMul
-            | Routine::ComponentDiv
-            | Routine::Inf
-            | Routine::Sup
-            | Routine::Abs
-    )
 }
 
 pub(super) fn float(scalar: Scalar) -> Float {
