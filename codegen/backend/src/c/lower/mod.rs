@@ -289,15 +289,11 @@ impl<'a> Lower<'a> {
             if !self.usage.read[index] || self.mentioned[index] || index == 0 && self.looks {
                 continue;
             }
-            if let Some(binding) = binding {
-                // The author's own copy of a parameter is declared like others.
-                if index < params && binding.name == self.signature.params[index].name {
-                    let name = Expr::name(&binding.name);
-                    self.out.insert(0, plain(StmtKind::Expr(Expr::cast("void", name))));
-                } else {
-                    names.push(binding.name.clone());
-                }
-            }
+            // The author's own copy of a parameter is declared like others.
+            let declared = binding.as_ref().filter(|binding| {
+                index >= params || binding.name != self.signature.params[index].name
+            });
+            names.extend(declared.map(|binding| binding.name.clone()));
         }
         unused::quiet(&mut self.out, &names);
         let enums = self.context.names.enums.iter().map(|names| names.variants.as_slice());
@@ -306,7 +302,7 @@ impl<'a> Lower<'a> {
         self.quiet_parameters();
     }
 
-    /// Marks parameters that only removed statements read.
+    /// Marks the parameters that the finished C does not mention.
     fn quiet_parameters(&mut self) {
         for (index, param) in self.signature.params.iter().enumerate() {
             let looked_at = index == 0 && self.looks;
