@@ -171,14 +171,8 @@ pub fn counted(
     options: &Options,
     bare: bool,
 ) -> String {
-    let carrier = if bare { Carrier::Files } else { Carrier::Streams };
-    several(module, entries, options, &carrier, |call, index| {
-        let Call { own, declarations, init, reads, call, spare, .. } = call;
-        let text = format!(
-            "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}    if (get() != 0) {{\n{init}    }}\n\
-             {reads}        bench_begin();\n{call}        bench_end();\n        (void)status;\n{spare}}}\n\n"
-        );
-        ([own, MARKS.to_owned()], text)
+    between_marks(module, entries, options, bare, MARKS, &|call| {
+        format!("        bench_begin();\n{call}        bench_end();\n")
     })
 }
 
@@ -197,19 +191,36 @@ pub fn noted(
     options: &Options,
     bare: bool,
 ) -> String {
-    let carrier = if bare { Carrier::Files } else { Carrier::Streams };
     let marks = format!(
         "{MARKS}\nextern int subnormal_seen;\n\nstatic void linger(void)\n{{\n    \
          for (volatile uint32_t n = 0U; n < {LINGERS}U; n++) {{\n    }}\n}}\n\n"
     );
+    between_marks(module, entries, options, bare, &marks, &|call| {
+        format!(
+            "        subnormal_seen = 0;\n{call}        bench_begin();\n        if (subnormal_seen != 0) {{\n            \
+             linger();\n        }}\n        bench_end();\n"
+        )
+    })
+}
+
+/// Returns the program of [`lives`] that writes nothing, with `marked` around the text of each call.
+fn between_marks(
+    module: &Module,
+    entries: &[(FunctionId, u32)],
+    options: &Options,
+    bare: bool,
+    marks: &str,
+    marked: &dyn Fn(&str) -> String,
+) -> String {
+    let carrier = if bare { Carrier::Files } else { Carrier::Streams };
     several(module, entries, options, &carrier, |call, index| {
         let Call { own, declarations, init, reads, call, spare, .. } = call;
+        let call = marked(&call);
         let text = format!(
             "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}    if (get() != 0) {{\n{init}    }}\n\
-             {reads}        subnormal_seen = 0;\n{call}        bench_begin();\n        if (subnormal_seen != 0) {{\n            \
-             linger();\n        }}\n        bench_end();\n        (void)status;\n{spare}}}\n\n"
+             {reads}{call}        (void)status;\n{spare}}}\n\n"
         );
-        ([own, marks.clone()], text)
+        ([own, marks.to_owned()], text)
     })
 }
 

@@ -136,6 +136,9 @@ impl Ascent<'_, '_> {
                 chosen.push(step);
             }
         }
+        if chosen.is_empty() {
+            return Ok(None);
+        }
         let counts = std::iter::successors(Some(1), |it| Some(it * 2));
         let mut joined: Vec<usize> = counts.take_while(|it| *it < chosen.len()).collect();
         joined.push(chosen.len());

@@ -5,7 +5,7 @@
 use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_dossier::content::{Outcome, Paths, grouped};
 use bessemer_ir::FunctionId;
-use bessemer_legs::longest::{self, Cost, Longest, Numbers, Processor};
+use bessemer_legs::longest::{self, Cost, Longest, Numbers};
 use bessemer_legs::toolchain::{GCC, Toolchain};
 use bessemer_project::Project;
 
@@ -54,10 +54,9 @@ fn counted(
         let of_numbers = |it: &Longest| bound(it, numbers).map(|it| it.instructions.max(1));
         functions.iter().map(|id| of_function(id).and_then(of_numbers)).collect()
     };
-    let slow = has_slow(toolchain);
-    let mut ascents = vec![Ascents::new(Numbers::Any, slow, of(Numbers::Any))];
-    if slow {
-        ascents.push(Ascents::new(Numbers::Normal, false, of(Numbers::Normal)));
+    let mut ascents = vec![Ascents::new(Numbers::Any, of(Numbers::Any))];
+    if longest::has_slow_numbers(toolchain) {
+        ascents.push(Ascents::new(Numbers::Normal, of(Numbers::Normal)));
     }
     let bounds = of(Numbers::Any);
     let mut count = |counter: &mut Counter, lives: &[Life]| -> Result<(), Error> {
@@ -89,11 +88,6 @@ fn counted(
     Ok((counter.calls, compiled.entries.iter().map(|it| of(it.function)).collect()))
 }
 
-/// Returns true if subnormal numbers take longer on a target.
-fn has_slow(toolchain: &Toolchain) -> bool {
-    longest::processor(toolchain) == Some(Processor::M4f)
-}
-
 fn bound(longest: &Longest, numbers: Numbers) -> Option<Cost> {
     let cost = match numbers {
         Numbers::Any => &longest.cost,
@@ -105,17 +99,15 @@ fn bound(longest: &Longest, numbers: Numbers) -> Option<Cost> {
 /// The search for longer calls with these numbers.
 struct Ascents {
     numbers: Numbers,
-    /// True if the numbers may be subnormal and those take longer: no bound of such is near.
-    is_slow: bool,
     /// Instructions of each function.
     bounds: Vec<Option<u64>>,
     peaks: Vec<Peaks>,
 }
 
 impl Ascents {
-    fn new(numbers: Numbers, is_slow: bool, bounds: Vec<Option<u64>>) -> Ascents {
+    fn new(numbers: Numbers, bounds: Vec<Option<u64>>) -> Ascents {
         let peaks = vec![Peaks::default(); bounds.len()];
-        Ascents { numbers, is_slow, bounds, peaks }
+        Ascents { numbers, bounds, peaks }
     }
 
     fn note(&mut self, life: &Life, both: Both) {
@@ -158,10 +150,10 @@ fn lengthened(
     for it in ascents {
         for at in 0..it.bounds.len() {
             if let Some(bound) = it.bounds[at].filter(|_| it.is_open(counter, at)) {
-                let budget = match (soft, it.is_slow) {
+                let budget = match (soft, it.numbers) {
                     (false, _) => CLIMB,
-                    (true, false) => CLIMB_SOFT,
-                    (true, true) => CLIMB_SUBNORMAL,
+                    (true, Numbers::Normal) => CLIMB_SOFT,
+                    (true, Numbers::Any) => CLIMB_SUBNORMAL,
                 };
                 let ends = [100 * bound / CLOSE, known.rounds.saturating_mul(budget)];
                 climb(&mut search, counter, &it.peaks[at], it.numbers, ends)?;
@@ -231,7 +223,7 @@ pub fn paths(
     }
     let rows = rows.iter().map(Row::cells).collect();
     let target = format!("{name}: {compiler}, -O2");
-    let paths = Paths { target, rows, has_normal: has_slow(&toolchain) };
+    let paths = Paths { target, rows, has_normal: longest::has_slow_numbers(&toolchain) };
     (of(verdict, detail), Some(paths))
 }
 

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 
 use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_ir::{FunctionId, Module};
-use bessemer_legs::longest::{self, Numbers, Processor};
+use bessemer_legs::longest::{self, Numbers};
 use bessemer_legs::toolchain::Toolchain;
 use bessemer_legs::{harness, process, watch};
 
@@ -79,10 +79,8 @@ impl Counter {
         let program = watch::built(toolchain, folder.path(), &main, folder.sources(), &[]);
         let program = program.map_err(failed)?;
         let callers = longest::callers(toolchain, &main, functions.len()).map_err(failed)?;
-        let notes = match longest::processor(toolchain) {
-            Some(Processor::M4f) => Some(noting(compiled, options, functions, toolchain)?),
-            _ => None,
-        };
+        let notes = longest::has_slow_numbers(toolchain);
+        let notes = notes.then(|| noting(compiled, options, functions, toolchain)).transpose()?;
         Ok(Counter {
             folder,
             toolchain: toolchain.clone(),

@@ -152,7 +152,8 @@ impl<'m> Search<'m> {
 
     /// Returns the changes of one word that may make a call longer.
     ///
-    /// Those of flags and variants, which choose a path, are before those of numbers. Both are in random order.
+    /// Flags and variants choose a path, so their changes come first, and the changes of numbers last. Each group is in random
+    /// order.
     pub fn steps(&mut self, place: usize, numbers: Met) -> Vec<Step> {
         let (mut choices, mut others) = (Vec::new(), Vec::new());
         for (argument, (_, leaves)) in self.targets[place].arguments.iter().enumerate() {

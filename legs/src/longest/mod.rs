@@ -67,6 +67,11 @@ pub fn processor(toolchain: &Toolchain) -> Option<Processor> {
     }
 }
 
+/// Returns true if operations in double precision take longer with subnormal numbers, since they are a library's.
+pub fn has_slow_numbers(toolchain: &Toolchain) -> bool {
+    processor(toolchain) == Some(Processor::M4f)
+}
+
 /// Returns the most instructions of an unoptimised caller that passes this many parameters and takes the result.
 pub fn call(parameters: usize) -> u64 {
     16 + 6 * parameters as u64

@@ -41,7 +41,7 @@ pub fn run(package: &Path) {
     ] {
         assert!(text.contains(&format!("passed    {check}")), "{text}");
     }
-    // Where emulator and Frama-C are installed.
+    // These checks run if the emulator and Frama-C are installed.
     for line in text.lines().filter(|it| it.starts_with("passed    Longest paths on ")) {
         assert!(line.ends_with("none beyond its bound"), "{line}");
     }
