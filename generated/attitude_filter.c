@@ -13,18 +13,17 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "bessemer_calls.h"
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "correct.h"
+#include "pair_f64_f64.h"
 #include "sine.h"
 #include "symmetric.h"
 
 static void attitude_filter_predicted(const double state[6], const double measured[3],
-    double period, symmetric_f64_6_t *BESSEMER_RESTRICT covariance,
-    double result[BESSEMER_RESTRICT 6]);
+    double period, symmetric_f64_6_t *BESSEMER_RESTRICT covariance, double next[6]);
 
 void attitude_filter_level(double angle, double bias, attitude_filter_t *attitude_filter)
 {
@@ -57,9 +56,7 @@ void attitude_filter_rates(const attitude_filter_t *self, const double measured[
 void attitude_filter_predict(attitude_filter_t *BESSEMER_RESTRICT self, const double measured[3],
     double period, double noise, double drift)
 {
-    double state_next[6];
-    attitude_filter_predicted(self->state, measured, period, &self->covariance, state_next);
-    (void)memcpy(self->state, state_next, sizeof(double[6]));
+    attitude_filter_predicted(self->state, measured, period, &self->covariance, self->state);
     const double turn = noise * period;
     const double wander = drift * drift * period;
     for (uint32_t n = 0U; n < 3U; n++) {
@@ -77,36 +74,38 @@ bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, uint64_t
     return report.status == CORRECT_STATUS_CORRECTED;
 }
 
-/** Returns the state after one period, s. The covariance becomes the covariance of its errors. */
+/**
+ * Returns the state after one period, s. The covariance becomes the covariance of its errors.
+ * `next` may lie in `state`, which is read before it is written.
+ */
 static void attitude_filter_predicted(const double state[6], const double measured[3],
-    double period, symmetric_f64_6_t *BESSEMER_RESTRICT covariance,
-    double result[BESSEMER_RESTRICT 6])
+    double period, symmetric_f64_6_t *BESSEMER_RESTRICT covariance, double next[6])
 {
-    const double sin_state_1 = sine_sin(state[1]);
-    const double cos_state_1 = sine_cos(state[1]);
-    const double slope = -sin_state_1;
-    const double sin_state_2 = sine_sin(state[2]);
-    const double cos_state_2 = sine_cos(state[2]);
-    const double slope_2 = -sin_state_2;
+    pair_f64_f64_t sin_cos_state_1;
+    sine_sin_cos(state[1], &sin_cos_state_1);
+    const double slope = -sin_cos_state_1.first;
+    pair_f64_f64_t sin_cos_state_2;
+    sine_sin_cos(state[2], &sin_cos_state_2);
+    const double slope_2 = -sin_cos_state_2.first;
     const double rates_0 = measured[0] - state[3];
     const double rates_1 = measured[1] - state[4];
     const double rates_2 = measured[2] - state[5];
-    const double along = cos_state_2 * rates_0 + sin_state_2 * rates_1;
-    const double along_d2 = rates_0 * slope_2 + rates_1 * cos_state_2;
-    const double along_d3 = -cos_state_2;
-    const double along_d4 = -sin_state_2;
-    const double across = sin_state_2 * rates_0 - cos_state_2 * rates_1;
-    const double across_d2 = rates_0 * cos_state_2 - rates_1 * slope_2;
-    const double across_d3 = -sin_state_2;
-    const double compared = fabs(cos_state_1);
+    const double along = sin_cos_state_2.second * rates_0 + sin_cos_state_2.first * rates_1;
+    const double along_d2 = rates_0 * slope_2 + rates_1 * sin_cos_state_2.second;
+    const double along_d3 = -sin_cos_state_2.second;
+    const double along_d4 = -sin_cos_state_2.first;
+    const double across = sin_cos_state_2.first * rates_0 - sin_cos_state_2.second * rates_1;
+    const double across_d2 = rates_0 * sin_cos_state_2.second - rates_1 * slope_2;
+    const double across_d3 = -sin_cos_state_2.first;
+    const double compared = fabs(sin_cos_state_1.second);
     double divisor;
     double divisor_d1;
     if (compared < 0.01) {
-        const double divisor_2 = copysign_f64(0.01, cos_state_1);
+        const double divisor_2 = copysign_f64(0.01, sin_cos_state_1.second);
         divisor = divisor_2;
         divisor_d1 = 0.0;
     } else {
-        divisor = cos_state_1;
+        divisor = sin_cos_state_1.second;
         divisor_d1 = slope;
     }
     const double roll_rate = -along / divisor;
@@ -114,11 +113,12 @@ static void attitude_filter_predicted(const double state[6], const double measur
     const double roll_rate_d2 = -along_d2 / divisor;
     const double roll_rate_d3 = -along_d3 / divisor;
     const double roll_rate_d4 = -along_d4 / divisor;
-    const double angle_rates_2 = sin_state_1 * roll_rate - rates_2;
-    const double angle_rates_2_d1 = roll_rate * cos_state_1 + sin_state_1 * roll_rate_d1;
-    const double angle_rates_2_d2 = sin_state_1 * roll_rate_d2;
-    const double angle_rates_2_d3 = sin_state_1 * roll_rate_d3;
-    const double angle_rates_2_d4 = sin_state_1 * roll_rate_d4;
+    const double angle_rates_2 = sin_cos_state_1.first * roll_rate - rates_2;
+    const double angle_rates_2_d1 = roll_rate * sin_cos_state_1.second
+        + sin_cos_state_1.first * roll_rate_d1;
+    const double angle_rates_2_d2 = sin_cos_state_1.first * roll_rate_d2;
+    const double angle_rates_2_d3 = sin_cos_state_1.first * roll_rate_d3;
+    const double angle_rates_2_d4 = sin_cos_state_1.first * roll_rate_d4;
     const double next_0 = state[0] + roll_rate * period;
     const double next_0_d1 = period * roll_rate_d1;
     const double next_0_d2 = period * roll_rate_d2;
@@ -127,12 +127,18 @@ static void attitude_filter_predicted(const double state[6], const double measur
     const double next_1 = state[1] + across * period;
     const double next_1_d2 = period * across_d2;
     const double next_1_d3 = period * across_d3;
-    const double next_1_d4 = period * cos_state_2;
+    const double next_1_d4 = period * sin_cos_state_2.second;
     const double next_2 = state[2] + angle_rates_2 * period;
     const double next_2_d1 = period * angle_rates_2_d1;
     const double next_2_d2 = 1.0 + period * angle_rates_2_d2;
     const double next_2_d3 = period * angle_rates_2_d3;
     const double next_2_d4 = period * angle_rates_2_d4;
+    next[0] = next_0;
+    next[1] = next_1;
+    next[2] = next_2;
+    next[3] = state[3];
+    next[4] = state[4];
+    next[5] = state[5];
     const double row_0_0 = covariance->elements[0 + 6 * 0]
         + next_0_d1 * covariance->elements[1 + 6 * 0] + next_0_d2 * covariance->elements[2 + 6 * 0]
         + next_0_d3 * covariance->elements[3 + 6 * 0]
@@ -182,34 +188,28 @@ static void attitude_filter_predicted(const double state[6], const double measur
     const double block_0_0 = row_0_0 + next_0_d1 * row_0_1 + next_0_d2 * row_0_2
         + next_0_d3 * covariance->elements[0 + 6 * 3]
         + next_0_d4 * covariance->elements[0 + 6 * 4];
-    covariance->elements[0 + 6 * 0] = block_0_0;
     const double block_1_0 = row_0_1 + next_1_d2 * row_0_2
         + next_1_d3 * covariance->elements[0 + 6 * 3]
         + next_1_d4 * covariance->elements[0 + 6 * 4];
-    covariance->elements[1 + 6 * 0] = block_1_0;
-    covariance->elements[0 + 6 * 1] = block_1_0;
     const double block_1_1 = row_1_1 + next_1_d2 * row_1_2
         + next_1_d3 * covariance->elements[1 + 6 * 3]
         + next_1_d4 * covariance->elements[1 + 6 * 4];
-    covariance->elements[1 + 6 * 1] = block_1_1;
     const double block_2_0 = next_2_d2 * row_0_2 + next_2_d1 * row_0_1
         + next_2_d3 * covariance->elements[0 + 6 * 3] + next_2_d4 * covariance->elements[0 + 6 * 4]
         + period * covariance->elements[0 + 6 * 5];
-    covariance->elements[2 + 6 * 0] = block_2_0;
-    covariance->elements[0 + 6 * 2] = block_2_0;
     const double block_2_1 = next_2_d2 * row_1_2 + next_2_d1 * row_1_1
         + next_2_d3 * covariance->elements[1 + 6 * 3] + next_2_d4 * covariance->elements[1 + 6 * 4]
         + period * covariance->elements[1 + 6 * 5];
-    covariance->elements[2 + 6 * 1] = block_2_1;
-    covariance->elements[1 + 6 * 2] = block_2_1;
     const double block_2_2 = next_2_d2 * row_2_2 + next_2_d1 * row_2_1
         + next_2_d3 * covariance->elements[2 + 6 * 3] + next_2_d4 * covariance->elements[2 + 6 * 4]
         + period * covariance->elements[2 + 6 * 5];
+    covariance->elements[0 + 6 * 0] = block_0_0;
+    covariance->elements[1 + 6 * 0] = block_1_0;
+    covariance->elements[0 + 6 * 1] = block_1_0;
+    covariance->elements[1 + 6 * 1] = block_1_1;
+    covariance->elements[2 + 6 * 0] = block_2_0;
+    covariance->elements[0 + 6 * 2] = block_2_0;
+    covariance->elements[2 + 6 * 1] = block_2_1;
+    covariance->elements[1 + 6 * 2] = block_2_1;
     covariance->elements[2 + 6 * 2] = block_2_2;
-    result[0] = next_0;
-    result[1] = next_1;
-    result[2] = next_2;
-    result[3] = state[3];
-    result[4] = state[4];
-    result[5] = state[5];
 }

@@ -25,7 +25,7 @@ static const uint64_t POSITION = UINT64_C(0);
 static const uint64_t VELOCITY = UINT64_C(1);
 
 static void axis_filter_predicted(const double state[3], double acceleration, double period,
-    symmetric_f64_3_t *BESSEMER_RESTRICT covariance, double result[BESSEMER_RESTRICT 3]);
+    symmetric_f64_3_t *BESSEMER_RESTRICT covariance, double next[3]);
 
 void axis_filter_at_rest(double place, double bias, axis_filter_t *axis_filter)
 {
@@ -39,11 +39,7 @@ void axis_filter_at_rest(double place, double bias, axis_filter_t *axis_filter)
 void axis_filter_predict(axis_filter_t *self, double acceleration, double period, double noise,
     double drift)
 {
-    double state_next[3];
-    axis_filter_predicted(self->state, acceleration, period, &self->covariance, state_next);
-    self->state[0] = state_next[0];
-    self->state[1] = state_next[1];
-    self->state[2] = state_next[2];
+    axis_filter_predicted(self->state, acceleration, period, &self->covariance, self->state);
     const double push = noise * period;
     const double wander = drift * drift * period;
     const double slip = 0.5 * push * period;
@@ -68,16 +64,22 @@ bool axis_filter_correct(axis_filter_t *BESSEMER_RESTRICT self, const double row
     return report.status == CORRECT_STATUS_CORRECTED;
 }
 
-/** Returns the state after one period, s. The covariance becomes the covariance of its errors. */
+/**
+ * Returns the state after one period, s. The covariance becomes the covariance of its errors.
+ * `next` may lie in `state`, which is read before it is written.
+ */
 static void axis_filter_predicted(const double state[3], double acceleration, double period,
-    symmetric_f64_3_t *BESSEMER_RESTRICT covariance, double result[BESSEMER_RESTRICT 3])
+    symmetric_f64_3_t *BESSEMER_RESTRICT covariance, double next[3])
 {
     const double real = acceleration - state[2];
-    const double result_value = 0.5 * period;
-    const double result_0 = state[0] + period * (state[1] + result_value * real);
-    const double result_0_d2 = period * -result_value;
+    const double result = 0.5 * period;
+    const double result_0 = state[0] + period * (state[1] + result * real);
+    const double result_0_d2 = period * -result;
     const double result_1 = state[1] + period * real;
     const double result_1_d2 = -period;
+    next[0] = result_0;
+    next[1] = result_1;
+    next[2] = state[2];
     const double row_0_0 = covariance->elements[0 + 3 * 0]
         + period * covariance->elements[1 + 3 * 0] + result_0_d2 * covariance->elements[2 + 3 * 0];
     const double row_0_1 = covariance->elements[0 + 3 * 1]
@@ -94,13 +96,10 @@ static void axis_filter_predicted(const double state[3], double acceleration, do
     covariance->elements[2 + 3 * 1] = row_1;
     const double block_0_0 = row_0_0 + period * row_0_1
         + result_0_d2 * covariance->elements[0 + 3 * 2];
-    covariance->elements[0 + 3 * 0] = block_0_0;
     const double block_1_0 = row_0_1 + result_1_d2 * covariance->elements[0 + 3 * 2];
+    const double block_1_1 = row_1_1 + result_1_d2 * covariance->elements[1 + 3 * 2];
+    covariance->elements[0 + 3 * 0] = block_0_0;
     covariance->elements[1 + 3 * 0] = block_1_0;
     covariance->elements[0 + 3 * 1] = block_1_0;
-    const double block_1_1 = row_1_1 + result_1_d2 * covariance->elements[1 + 3 * 2];
     covariance->elements[1 + 3 * 1] = block_1_1;
-    result[0] = result_0;
-    result[1] = result_1;
-    result[2] = state[2];
 }

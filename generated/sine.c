@@ -229,3 +229,20 @@ double sine_cos(double x)
 {
     return sine_turned(x, UINT64_C(1));
 }
+
+void sine_sin_cos(double x, pair_f64_f64_t *result)
+{
+    const double shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
+    const uint64_t row = raw_bits_of_f64(shifted);
+
+    /* Next to a multiple of π/2 one of them is small. */
+    if (fabs(x) < MODERATE && ((row + UINT64_C(5)) & UINT64_C(0x1F)) > UINT64_C(10)) {
+        const double steps = shifted - TO_INTEGER;
+        const double rest = x - steps * STEP_HIGH - steps * STEP_LOW;
+        result->first = sine_from_row(row, rest);
+        result->second = sine_from_row(row + UINT64_C(32), rest);
+    } else {
+        result->first = sine_sin(x);
+        result->second = sine_cos(x);
+    }
+}

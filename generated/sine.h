@@ -16,6 +16,8 @@
 
 #include <stdint.h>
 
+#include "pair_f64_f64.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -37,6 +39,9 @@ double sine_sin(double x);
  * NaN.
  */
 double sine_cos(double x);
+
+/** Sine and cosine of an angle in rad, with the bits of `sin` and `cos` and one reduction. */
+void sine_sin_cos(double x, pair_f64_f64_t *result);
 
 #ifdef __cplusplus
 }

@@ -95,31 +95,29 @@ fn predicted(
     period: f64,
     covariance: &mut Symmetric<f64, 6>,
 ) -> Vector6<f64> {
-    let sin_state_1 = state[1].sin();
-    let cos_state_1 = state[1].cos();
-    let slope = -sin_state_1;
-    let sin_state_2 = state[2].sin();
-    let cos_state_2 = state[2].cos();
-    let slope_2 = -sin_state_2;
+    let sin_cos_state_1 = state[1].sin_cos();
+    let slope = -sin_cos_state_1.0;
+    let sin_cos_state_2 = state[2].sin_cos();
+    let slope_2 = -sin_cos_state_2.0;
     let rates_0 = measured[0] - state[3];
     let rates_1 = measured[1] - state[4];
     let rates_2 = measured[2] - state[5];
-    let along = cos_state_2 * rates_0 + sin_state_2 * rates_1;
-    let along_d2 = rates_0 * slope_2 + rates_1 * cos_state_2;
-    let along_d3 = -cos_state_2;
-    let along_d4 = -sin_state_2;
-    let across = sin_state_2 * rates_0 - cos_state_2 * rates_1;
-    let across_d2 = rates_0 * cos_state_2 - rates_1 * slope_2;
-    let across_d3 = -sin_state_2;
-    let compared = cos_state_1.abs();
+    let along = sin_cos_state_2.1 * rates_0 + sin_cos_state_2.0 * rates_1;
+    let along_d2 = rates_0 * slope_2 + rates_1 * sin_cos_state_2.1;
+    let along_d3 = -sin_cos_state_2.1;
+    let along_d4 = -sin_cos_state_2.0;
+    let across = sin_cos_state_2.0 * rates_0 - sin_cos_state_2.1 * rates_1;
+    let across_d2 = rates_0 * sin_cos_state_2.1 - rates_1 * slope_2;
+    let across_d3 = -sin_cos_state_2.0;
+    let compared = sin_cos_state_1.1.abs();
     let divisor: f64;
     let divisor_d1: f64;
     if compared < 0.01 {
-        let divisor_2 = (0.01).copysign(cos_state_1);
+        let divisor_2 = (0.01).copysign(sin_cos_state_1.1);
         divisor = divisor_2;
         divisor_d1 = 0.0;
     } else {
-        divisor = cos_state_1;
+        divisor = sin_cos_state_1.1;
         divisor_d1 = slope;
     }
     let roll_rate = -along / divisor;
@@ -127,11 +125,11 @@ fn predicted(
     let roll_rate_d2 = -along_d2 / divisor;
     let roll_rate_d3 = -along_d3 / divisor;
     let roll_rate_d4 = -along_d4 / divisor;
-    let angle_rates_2 = sin_state_1 * roll_rate - rates_2;
-    let angle_rates_2_d1 = roll_rate * cos_state_1 + sin_state_1 * roll_rate_d1;
-    let angle_rates_2_d2 = sin_state_1 * roll_rate_d2;
-    let angle_rates_2_d3 = sin_state_1 * roll_rate_d3;
-    let angle_rates_2_d4 = sin_state_1 * roll_rate_d4;
+    let angle_rates_2 = sin_cos_state_1.0 * roll_rate - rates_2;
+    let angle_rates_2_d1 = roll_rate * sin_cos_state_1.1 + sin_cos_state_1.0 * roll_rate_d1;
+    let angle_rates_2_d2 = sin_cos_state_1.0 * roll_rate_d2;
+    let angle_rates_2_d3 = sin_cos_state_1.0 * roll_rate_d3;
+    let angle_rates_2_d4 = sin_cos_state_1.0 * roll_rate_d4;
     let next_0 = state[0] + roll_rate * period;
     let next_0_d1 = period * roll_rate_d1;
     let next_0_d2 = period * roll_rate_d2;
@@ -140,12 +138,13 @@ fn predicted(
     let next_1 = state[1] + across * period;
     let next_1_d2 = period * across_d2;
     let next_1_d3 = period * across_d3;
-    let next_1_d4 = period * cos_state_2;
+    let next_1_d4 = period * sin_cos_state_2.1;
     let next_2 = state[2] + angle_rates_2 * period;
     let next_2_d1 = period * angle_rates_2_d1;
     let next_2_d2 = 1.0 + period * angle_rates_2_d2;
     let next_2_d3 = period * angle_rates_2_d3;
     let next_2_d4 = period * angle_rates_2_d4;
+    let next = vector![next_0, next_1, next_2, state[3], state[4], state[5]];
     let row_0_0 = covariance.elements[(0, 0)]
         + next_0_d1 * covariance.elements[(1, 0)]
         + next_0_d2 * covariance.elements[(2, 0)]
@@ -206,37 +205,37 @@ fn predicted(
         + next_0_d2 * row_0_2
         + next_0_d3 * covariance.elements[(0, 3)]
         + next_0_d4 * covariance.elements[(0, 4)];
-    covariance.elements[(0, 0)] = block_0_0;
     let block_1_0 = row_0_1
         + next_1_d2 * row_0_2
         + next_1_d3 * covariance.elements[(0, 3)]
         + next_1_d4 * covariance.elements[(0, 4)];
-    covariance.elements[(1, 0)] = block_1_0;
-    covariance.elements[(0, 1)] = block_1_0;
     let block_1_1 = row_1_1
         + next_1_d2 * row_1_2
         + next_1_d3 * covariance.elements[(1, 3)]
         + next_1_d4 * covariance.elements[(1, 4)];
-    covariance.elements[(1, 1)] = block_1_1;
     let block_2_0 = next_2_d2 * row_0_2
         + next_2_d1 * row_0_1
         + next_2_d3 * covariance.elements[(0, 3)]
         + next_2_d4 * covariance.elements[(0, 4)]
         + period * covariance.elements[(0, 5)];
-    covariance.elements[(2, 0)] = block_2_0;
-    covariance.elements[(0, 2)] = block_2_0;
     let block_2_1 = next_2_d2 * row_1_2
         + next_2_d1 * row_1_1
         + next_2_d3 * covariance.elements[(1, 3)]
         + next_2_d4 * covariance.elements[(1, 4)]
         + period * covariance.elements[(1, 5)];
-    covariance.elements[(2, 1)] = block_2_1;
-    covariance.elements[(1, 2)] = block_2_1;
     let block_2_2 = next_2_d2 * row_2_2
         + next_2_d1 * row_2_1
         + next_2_d3 * covariance.elements[(2, 3)]
         + next_2_d4 * covariance.elements[(2, 4)]
         + period * covariance.elements[(2, 5)];
+    covariance.elements[(0, 0)] = block_0_0;
+    covariance.elements[(1, 0)] = block_1_0;
+    covariance.elements[(0, 1)] = block_1_0;
+    covariance.elements[(1, 1)] = block_1_1;
+    covariance.elements[(2, 0)] = block_2_0;
+    covariance.elements[(0, 2)] = block_2_0;
+    covariance.elements[(2, 1)] = block_2_1;
+    covariance.elements[(1, 2)] = block_2_1;
     covariance.elements[(2, 2)] = block_2_2;
-    vector![next_0, next_1, next_2, state[3], state[4], state[5]]
+    next
 }

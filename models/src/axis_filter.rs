@@ -88,6 +88,7 @@ fn predicted(
     let result_0_d2 = period * -result;
     let result_1 = state[1] + period * real;
     let result_1_d2 = -period;
+    let next = vector![result_0, result_1, state[2]];
     let row_0_0 = covariance.elements[(0, 0)]
         + period * covariance.elements[(1, 0)]
         + result_0_d2 * covariance.elements[(2, 0)];
@@ -104,11 +105,11 @@ fn predicted(
     covariance.elements[(1, 2)] = row_1;
     covariance.elements[(2, 1)] = row_1;
     let block_0_0 = row_0_0 + period * row_0_1 + result_0_d2 * covariance.elements[(0, 2)];
-    covariance.elements[(0, 0)] = block_0_0;
     let block_1_0 = row_0_1 + result_1_d2 * covariance.elements[(0, 2)];
+    let block_1_1 = row_1_1 + result_1_d2 * covariance.elements[(1, 2)];
+    covariance.elements[(0, 0)] = block_0_0;
     covariance.elements[(1, 0)] = block_1_0;
     covariance.elements[(0, 1)] = block_1_0;
-    let block_1_1 = row_1_1 + result_1_d2 * covariance.elements[(1, 2)];
     covariance.elements[(1, 1)] = block_1_1;
-    vector![result_0, result_1, state[2]]
+    next
 }

@@ -1,13 +1,14 @@
 //! Finds the parameters that a function reads only before it writes its result.
 //!
 //! A caller may store such a result over the argument itself: `x = f(&x)` needs no copy. The function ends with one
-//! `return`, whose value is made of other places; before it, nothing is in the caller's memory for the result, since
-//! neither a local nor a part lives there ([`crate::built`]).
+//! `return`, whose value is made of other places, or is a local that was: before it is made, nothing is in the caller's
+//! memory for the result, since no other local and no part lives there ([`crate::built`]). An element of the result may be
+//! the argument's element at the same position, which the caller has there already.
 //!
 //! Only for functions that cannot fault. Invariant: in doubt, the parameter is read late. Must not know: the C text.
 
 use bessemer_ir::visit::Walk as _;
-use bessemer_ir::{Expr, ExprKind, Function, LocalId, Mode, StmtKind};
+use bessemer_ir::{Expr, ExprKind, Function, LocalId, Mode, Step, Stmt, StmtKind, Type};
 
 /// Bits of a function's parameters, the first in the lowest; parameters beyond the 64th have none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,9 +28,26 @@ pub(crate) fn early(function: &Function, fallible: bool) -> Early {
     function.body.each_stmt(|stmt| {
         returns += u32::from(matches!(stmt.kind, StmtKind::Return(_)));
     });
-    let last = function.body.0.last().map(|stmt| &stmt.kind);
+    let stmts = function.body.0.as_slice();
+    let last = stmts.last().map(|stmt| &stmt.kind);
     let (1, Some(StmtKind::Return(Some(value))), false) = (returns, last, fallible) else {
         return none;
+    };
+    // Where the result is made, and what follows.
+    let (value, rest) = match &value.kind {
+        ExprKind::Load(place) if place.steps.is_empty() => {
+            let declared = stmts.iter().enumerate().find_map(|(at, stmt)| match &stmt.kind {
+                StmtKind::Let { local, value: Some(value) } if *local == place.root => {
+                    Some((value, &stmts[at + 1..]))
+                }
+                _ => None,
+            });
+            match declared {
+                Some(declared) => declared,
+                None => return none,
+            }
+        }
+        _ => (value, &[][..]),
     };
     let is_made = matches!(
         value.kind,
@@ -39,10 +57,30 @@ pub(crate) fn early(function: &Function, fallible: bool) -> Early {
         return none;
     }
     let early = |parameter: &u32| {
-        let reached = names_of(function, LocalId(*parameter));
-        !value.any_place(|place, _| reached.contains(&place.root))
+        let parameter = LocalId(*parameter);
+        let reached = names_of(function, parameter);
+        let is_read = |expr: &Expr| expr.any_place(|place, _| reached.contains(&place.root));
+        let is_safe = match &value.kind {
+            ExprKind::Matrix(items) if function.local(parameter).ty == value.ty => {
+                let mut items = items.iter().enumerate();
+                items.all(|(at, item)| !is_read(item) || is_own(item, parameter, at, &value.ty))
+            }
+            _ => !is_read(value),
+        };
+        let is_read_later = |stmt: &Stmt| stmt.any_place(|place, _| reached.contains(&place.root));
+        is_safe && !rest.iter().any(is_read_later)
     };
     Early((0..function.params.min(64)).filter(early).fold(0, |bits, it| bits | (1 << it)))
+}
+
+/// Returns true for the element of a matrix at this position, by columns.
+fn is_own(item: &Expr, matrix: LocalId, at: usize, ty: &Type) -> bool {
+    let (ExprKind::Load(place), Type::Matrix { rows, .. }) = (&item.kind, ty) else { return false };
+    let [Step::Element(row, column)] = place.steps.as_slice() else { return false };
+    let (ExprKind::Literal(row), ExprKind::Literal(column)) = (&row.kind, &column.kind) else {
+        return false;
+    };
+    place.root == matrix && row + column * u64::from(*rows) == at as u64
 }
 
 /// Returns a parameter, and the locals that may be names for a part of it.

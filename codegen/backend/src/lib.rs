@@ -11,6 +11,7 @@
 
 mod built;
 pub mod c;
+mod filled;
 mod joined;
 pub mod kernels;
 mod late;

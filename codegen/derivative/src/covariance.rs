@@ -8,7 +8,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_ir::{BinaryOp, Expr, LocalId, Place, Scalar, Span, Step, StmtKind, Type};
+use bessemer_ir::{
+    BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, LogicOp, Place, Scalar, Span, Step,
+    StmtKind, Type,
+};
 
 use crate::run::Run;
 use crate::value::Word;
@@ -16,6 +19,10 @@ use crate::{Result, fold, known};
 
 /// Largest number of rows that are processed together without need.
 const TOGETHER: usize = 4;
+
+/// Number of rows from which a group whose block needs every product is computed in one loop over all columns: written out,
+/// the products in its own columns would be long.
+const DENSE: usize = 3;
 
 /// Elements of a row of the Jacobian, by column.
 type Row = BTreeMap<usize, Expr>;
@@ -60,63 +67,120 @@ impl Run<'_> {
     /// Replaces the rows and columns of a group.
     fn group(&mut self, covariance: &Covariance, rows: &[Row], group: &[usize]) -> Result<()> {
         let index = |at: usize| Expr::usize(at as u64, covariance.span);
-        let within = |column: &usize| group.contains(column);
-        // The columns of the group's own rows in the products, before they change.
-        let mut own: BTreeMap<(usize, usize), Expr> = BTreeMap::new();
+        // The products of the group's rows with its own columns that its block needs.
+        let mut needed: BTreeSet<(usize, usize)> = BTreeSet::new();
         for (at, &row) in group.iter().enumerate() {
-            let needed: BTreeSet<usize> =
-                group[at..].iter().flat_map(|below| rows[*below].keys().copied()).collect();
-            for column in needed.into_iter().filter(within) {
+            let columns = group[at..].iter().flat_map(|below| rows[*below].keys());
+            needed.extend(columns.filter(|it| group.contains(it)).map(|column| (row, *column)));
+        }
+        let mut own: BTreeMap<(usize, usize), Expr> = BTreeMap::new();
+        // What mirrors an earlier column must not be read in the group's own columns.
+        let is_behind = |column: &usize| group.contains(column) || Some(column) > group.last();
+        let is_dense = needed.len() == group.len() * group.len()
+            && group.windows(2).all(|pair| pair[0] + 1 == pair[1])
+            && group.iter().all(|row| rows[*row].keys().all(is_behind));
+        if group.len() >= DENSE && is_dense {
+            self.columns(covariance, rows, group, (0, rows.len()), group)?;
+        } else {
+            // Before they change.
+            for (row, column) in needed {
                 let sum =
                     covariance.sum(&rows[row], row, |k| covariance.at(index(k), index(column)));
                 own.insert((row, column), self.bind(&format!("row_{row}_{column}"), sum));
             }
-        }
-        for (from, to) in gaps(group, rows.len()) {
-            if to - from == 1 {
-                self.column(covariance, rows, group, index(from));
-                continue;
+            for range in gaps(group, rows.len()) {
+                self.columns(covariance, rows, group, range, &[])?;
             }
-            let variable = self.declare("k", &Type::USIZE, covariance.span);
-            let (body, ()) = self.captured(|run| {
-                let k = Expr::local(variable, &Type::USIZE, covariance.span);
-                run.column(covariance, rows, group, k);
-                Ok(())
-            })?;
-            let (from, to) = (index(from), index(to));
-            let (inclusive, reversed, unroll, ended) = (false, false, None, false);
-            let kind =
-                StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body };
-            self.emit(kind, covariance.span);
         }
+        let mut block = Vec::new();
         for (at, &row) in group.iter().enumerate() {
             for &column in &group[..=at] {
                 let sum = covariance.sum(&rows[row], row, |k| match own.get(&(column, k)) {
                     Some(before) => Read::Value(before.clone()),
                     None => covariance.at(index(column), index(k)),
                 });
-                let value = self.bind(&format!("block_{row}_{column}"), sum);
-                self.assign(covariance.at(index(row), index(column)), value.clone());
-                if row != column {
-                    self.assign(covariance.at(index(column), index(row)), value);
-                }
+                block.push((row, column, self.bind(&format!("block_{row}_{column}"), sum)));
+            }
+        }
+        for (row, column, value) in block {
+            self.assign(covariance.at(index(row), index(column)), value.clone());
+            if row != column {
+                self.assign(covariance.at(index(column), index(row)), value);
             }
         }
         Ok(())
     }
 
-    /// Replaces the elements of a group's rows in a column, and those that mirror them.
-    fn column(&mut self, covariance: &Covariance, rows: &[Row], group: &[usize], k: Expr) {
+    /// Replaces the elements of a group's rows in a range of columns, and those that mirror them, except in the columns
+    /// `alone`, which are neighbours.
+    fn columns(
+        &mut self,
+        covariance: &Covariance,
+        rows: &[Row],
+        group: &[usize],
+        (from, to): (usize, usize),
+        alone: &[usize],
+    ) -> Result<()> {
+        let index = |at: usize| Expr::usize(at as u64, covariance.span);
+        if to - from == 1 {
+            self.column(covariance, rows, group, index(from), alone);
+            return Ok(());
+        }
+        let variable = self.declare("k", &Type::USIZE, covariance.span);
+        let (body, ()) = self.captured(|run| {
+            let k = Expr::local(variable, &Type::USIZE, covariance.span);
+            run.column(covariance, rows, group, k, alone);
+            Ok(())
+        })?;
+        let (from, to) = (index(from), index(to));
+        let (inclusive, reversed, unroll, ended) = (false, false, None, false);
+        let kind = StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body };
+        self.emit(kind, covariance.span);
+        Ok(())
+    }
+
+    /// Replaces the elements of a group's rows in a column, and those that mirror them, unless it is one of `alone`.
+    fn column(
+        &mut self,
+        covariance: &Covariance,
+        rows: &[Row],
+        group: &[usize],
+        k: Expr,
+        alone: &[usize],
+    ) {
         let index = |at: usize| Expr::usize(at as u64, covariance.span);
         let mut products = Vec::new();
         for &row in group {
             let sum = covariance.sum(&rows[row], row, |j| covariance.at(index(j), k.clone()));
             products.push((row, self.bind(&format!("row_{row}"), sum)));
         }
+        if alone.is_empty() {
+            for (row, product) in products {
+                self.assign(covariance.at(index(row), k.clone()), product.clone());
+                self.assign(covariance.at(k.clone(), index(row)), product);
+            }
+            return;
+        }
+        for (row, product) in &products {
+            self.assign(covariance.at(index(*row), k.clone()), product.clone());
+        }
+        let outer = std::mem::take(&mut self.out);
         for (row, product) in products {
-            self.assign(covariance.at(index(row), k.clone()), product.clone());
             self.assign(covariance.at(k.clone(), index(row)), product);
         }
+        let mirrored = Block(std::mem::replace(&mut self.out, outer));
+        let to = Expr::compare(CompareOp::Lt, k.clone(), index(alone[0] + alone.len()));
+        let within = match alone[0] {
+            0 => to,
+            first => {
+                let from = Expr::compare(CompareOp::Le, index(first), k);
+                let kind = ExprKind::Logic(LogicOp::And, Box::new(from), Box::new(to));
+                Expr { kind, ty: Type::BOOL, span: covariance.span }
+            }
+        };
+        let condition = within.negated();
+        let kind = StmtKind::If { condition, then: mirrored, otherwise: Block::default() };
+        self.emit(kind, covariance.span);
     }
 
     fn assign(&mut self, read: Read, value: Expr) {

@@ -128,6 +128,8 @@ impl<'m> Run<'m> {
         let value = self.aggregate(&of.result, words.iter().map(|word| word.value.clone()));
         if let Some(covariance) = crate::covariance(module, request) {
             let (root, size) = (LocalId(of.params), words.len() as u32);
+            // Early, since the covariance does not need the state any more.
+            let value = self.atom(value, "next");
             if let Some(place) = elements(module, root, &covariance.ty, size, span) {
                 self.propagate(&words, place, span)?;
             }

@@ -1,6 +1,6 @@
 //! Prints the body of a derivative as Rust, for the module of its declaration.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::visit::{self, Access, Visit};
 use bessemer_ir::{
@@ -8,11 +8,16 @@ use bessemer_ir::{
     KernelRoutine, LocalId, LogicOp, Module, Place, Routine, Scalar, Step, StmtKind, Type, UnaryOp,
 };
 
+mod idioms;
+
+use idioms::{CONSTANTS, special};
+
 /// Returns the statements of a function's body, each on its line.
 pub fn body(module: &Module, function: &Function) -> String {
     let mut assigned = Assigned::default();
     assigned.block(&function.body);
-    let mut printer = Printer { module, function, assigned, text: String::new(), depth: 1 };
+    let parts = BTreeMap::new();
+    let mut printer = Printer { module, function, assigned, parts, text: String::new(), depth: 1 };
     printer.block(&function.body);
     printer.text
 }
@@ -104,6 +109,8 @@ struct Printer<'m> {
     module: &'m Module,
     function: &'m Function,
     assigned: Assigned,
+    /// Texts of locals that are parts of a value with another name.
+    parts: BTreeMap<LocalId, String>,
     text: String,
     depth: usize,
 }
@@ -124,9 +131,17 @@ impl Printer<'_> {
     }
 
     fn block(&mut self, block: &Block) {
-        for (index, stmt) in block.0.iter().enumerate() {
-            let last = self.depth == 1 && index + 1 == block.0.len();
-            self.stmt(&stmt.kind, last);
+        let mut rest = block.0.as_slice();
+        while let [stmt, after @ ..] = rest {
+            rest = after;
+            if let [next, after @ ..] = after
+                && let Some(text) = self.sine_and_cosine(&stmt.kind, &next.kind)
+            {
+                self.line(&text);
+                rest = after;
+                continue;
+            }
+            self.stmt(&stmt.kind, self.depth == 1 && rest.is_empty());
         }
     }
 
@@ -248,7 +263,7 @@ impl Printer<'_> {
 
     fn place(&self, place: &Place) -> String {
         let local = self.function.local(place.root);
-        let mut text = local.name.clone();
+        let mut text = self.parts.get(&place.root).unwrap_or(&local.name).clone();
         let mut ty = local.ty.clone();
         for step in &place.steps {
             match step {
@@ -382,7 +397,10 @@ impl Printer<'_> {
                 self.infix(mark, precedence, a, b)
             }
             ExprKind::Compare(op, a, b) => self.infix(comparison(*op), COMPARE, a, b),
-            ExprKind::Logic(LogicOp::And, a, b) => self.infix("&&", 2, a, b),
+            ExprKind::Logic(LogicOp::And, a, b) => match self.within(a, b) {
+                Some(text) => (text, ATOM),
+                None => self.infix("&&", 2, a, b),
+            },
             ExprKind::Logic(LogicOp::Or, a, b) => self.infix("||", 1, a, b),
             ExprKind::Cast(operand) => {
                 let ty = type_name(self.module, &expr.ty, &self.function.module);
@@ -562,26 +580,6 @@ fn comparison(op: CompareOp) -> &'static str {
         CompareOp::Le => "<=",
         CompareOp::Gt => ">",
         CompareOp::Ge => ">=",
-    }
-}
-
-/// Constants of Rust that Clippy wants by their names.
-const CONSTANTS: [(f64, &str); 8] = [
-    (core::f64::consts::PI, "PI"),
-    (core::f64::consts::TAU, "TAU"),
-    (core::f64::consts::FRAC_PI_2, "FRAC_PI_2"),
-    (core::f64::consts::LN_2, "LN_2"),
-    (core::f64::consts::LN_10, "LN_10"),
-    (core::f64::consts::E, "E"),
-    (core::f64::consts::SQRT_2, "SQRT_2"),
-    (core::f64::consts::FRAC_1_SQRT_2, "FRAC_1_SQRT_2"),
-];
-
-fn special(value: f64, ty: &str) -> String {
-    match (value.is_nan(), value > 0.0) {
-        (true, _) => format!("{ty}::NAN"),
-        (false, true) => format!("{ty}::INFINITY"),
-        (false, false) => format!("{ty}::NEG_INFINITY"),
     }
 }
 

@@ -13,6 +13,7 @@ mod dual;
 mod gradients;
 mod kernels;
 mod loops;
+mod printed;
 
 mod programs;
 

@@ -10,7 +10,7 @@ static const uint64_t SEEN[10] = {
 };
 
 static void autopilot_predicted(const double state[24], const imu_t *imu, double period,
-    symmetric_f64_24_t *BESSEMER_RESTRICT covariance, double result[BESSEMER_RESTRICT 24]);
+    symmetric_f64_24_t *BESSEMER_RESTRICT covariance, double result[24]);
 static void autopilot_magnetic_jacobian(const double seen[10],
     pair_vector3_f64_matrix3x10_f64_t *BESSEMER_RESTRICT result);
 
@@ -162,9 +162,12 @@ void autopilot_advanced(const double state[24], const imu_t *imu, double period,
     }
 }
 
-/** The state after one period; `covariance` becomes the covariance of its errors. */
+/**
+ * The state after one period; `covariance` becomes the covariance of its errors.
+ * `result` may lie in `state`, which is read before it is written.
+ */
 static void autopilot_predicted(const double state[24], const imu_t *imu, double period,
-    symmetric_f64_24_t *BESSEMER_RESTRICT covariance, double result[BESSEMER_RESTRICT 24])
+    symmetric_f64_24_t *BESSEMER_RESTRICT covariance, double result[24])
 {
     const double half = 0.5 * period;
     const double half_0 = half * (imu->rate[0] - state[10]);
@@ -771,9 +774,7 @@ void autopilot_start(autopilot_t *BESSEMER_RESTRICT self, const double state[24]
 
 void autopilot_predict(autopilot_t *BESSEMER_RESTRICT self, const imu_t *imu, double period)
 {
-    double state_next[24];
-    autopilot_predicted(self->state, imu, period, &self->covariance, state_next);
-    (void)memcpy(self->state, state_next, sizeof(double[24]));
+    autopilot_predicted(self->state, imu, period, &self->covariance, self->state);
     const double attitude[4] = {
         self->state[AUTOPILOT_FLIGHT_ATTITUDE], self->state[AUTOPILOT_FLIGHT_ATTITUDE + 1U],
         self->state[AUTOPILOT_FLIGHT_ATTITUDE + 2U], self->state[AUTOPILOT_FLIGHT_ATTITUDE + 3U]

@@ -6,7 +6,7 @@ static const double GATE = 52.0;
 static const double GRAVITY = 9.81;
 
 static void navigation_predicted(const double state[12], const inertial_t *inertial, double period,
-    symmetric_f64_12_t *BESSEMER_RESTRICT covariance, double result[BESSEMER_RESTRICT 12]);
+    symmetric_f64_12_t *BESSEMER_RESTRICT covariance, double result[12]);
 
 void navigation_advanced(const double state[12], const inertial_t *inertial, double period,
     double next[BESSEMER_RESTRICT 12])
@@ -41,9 +41,12 @@ void navigation_advanced(const double state[12], const inertial_t *inertial, dou
     }
 }
 
-/** The state after one period; `covariance` becomes the covariance of its errors. */
+/**
+ * The state after one period; `covariance` becomes the covariance of its errors.
+ * `result` may lie in `state`, which is read before it is written.
+ */
 static void navigation_predicted(const double state[12], const inertial_t *inertial, double period,
-    symmetric_f64_12_t *BESSEMER_RESTRICT covariance, double result[BESSEMER_RESTRICT 12])
+    symmetric_f64_12_t *BESSEMER_RESTRICT covariance, double result[12])
 {
     const double sin_state_6 = sine_sin(state[6]);
     const double cos_state_6 = sine_cos(state[6]);
@@ -397,9 +400,7 @@ void navigation_init(navigation_t *self)
 void navigation_predict(navigation_t *BESSEMER_RESTRICT self, const inertial_t *inertial,
     double period)
 {
-    double state_next[12];
-    navigation_predicted(self->state, inertial, period, &self->covariance, state_next);
-    (void)memcpy(self->state, state_next, sizeof(double[12]));
+    navigation_predicted(self->state, inertial, period, &self->covariance, self->state);
     for (uint32_t axis = 0U; axis < 3U; axis++) {
         self->covariance.elements[axis + 3U + 12U * (axis + 3U)] += 0.01 * period;
         self->covariance.elements[axis + 6U + 12U * (axis + 6U)] += 1e-5 * period;

@@ -71,8 +71,8 @@ static void located_unscented_in_drive(const double mean[3], const symmetric_f64
      * Half the sum and half the difference of the results at the two points of each column, the sum less that at the
      * mean.
      */
-    double even[9] = {0};
-    double odd[9] = {0};
+    double even[9];
+    double odd[9];
     double offset[3] = {0.0, 0.0, 0.0};
     for (uint32_t n = 0U; n < 3U; n++) {
         const double step[3] = {
@@ -187,8 +187,8 @@ static void located_unscented_in_measure(const double mean[3], const symmetric_f
      * Half the sum and half the difference of the results at the two points of each column, the sum less that at the
      * mean.
      */
-    double even[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    double odd[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    double even[6];
+    double odd[6];
     double offset[2] = {0.0, 0.0};
     for (uint32_t n = 0U; n < 3U; n++) {
         const double step[3] = {
@@ -306,8 +306,8 @@ static bool located_by_root_predict_unscented_in_step(rooted_f64_3_t *BESSEMER_R
     const double weight = 1.0 / (spread + spread);
     double center[3];
     unscented_driven(state, distance, turn, center);
-    double ahead[9] = {0};
-    double behind[9] = {0};
+    double ahead[9];
+    double behind[9];
     double offset[3] = {0.0, 0.0, 0.0};
     for (uint32_t n = 0U; n < 3U; n++) {
         const double step[3] = {

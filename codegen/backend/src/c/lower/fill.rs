@@ -1,17 +1,19 @@
-//! Finds arrays, matrices and structs that are completely overwritten after their declaration. Their initial value is
-//! never read, so C omits it; in a partly filled array only the rest is initialised.
+//! Finds arrays and structs that are overwritten after their declaration, part by part. Such a first value is never read, so C
+//! omits it; in a partly filled array only the rest is initialised.
 //!
-//! Invariant: every element that [`filled`] or [`rewritten`] report, or that [`unwritten`] does not return, is
+//! Invariant: every element or field that [`rewritten`] or [`spared`] report, or that [`unwritten`] does not return, is
 //! assigned on each path before anything reads it.
 
 use std::collections::BTreeSet;
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
-    BinaryOp, Block, Expr, ExprKind, Form, LocalId, Module, Place, Step, Stmt, StmtKind, Type,
+    BinaryOp, Expr, ExprKind, Form, LocalId, Module, Place, Step, Stmt, StmtKind, Type,
 };
 
 use bessemer_ir::effects::{mentions, whole};
+
+use crate::filled::{is_element, through};
 
 /// Largest number of elements of an array that are tracked one by one.
 const MOST: u32 = 4096;
@@ -110,92 +112,6 @@ fn position(module: &Module, index: &Expr, counter: Option<(LocalId, u32)>) -> O
     }
 }
 
-/// Returns true if a loop of `rest`, the first statement that mentions `local`, assigns each of its elements.
-pub(super) fn filled(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
-    let Some(first) = rest.iter().find(|stmt| mentions(*stmt, local)) else {
-        return false;
-    };
-    let Some((outer, to, body)) = through(module, first) else { return false };
-    // A pass that leaves the loop leaves the rest of the elements as they are.
-    if leaves(first) {
-        return false;
-    }
-    if let ([inner], Type::Matrix { rows, cols, .. }) = (body.0.as_slice(), ty)
-        && let Some((row, last, body)) = through(module, inner)
-    {
-        // By columns, or by rows.
-        let (inner, outer) = (Some(row), Some(outer));
-        return (to, last) == (*cols, *rows) && assigns(local, &[inner, outer], body)
-            || (to, last) == (*rows, *cols) && assigns(local, &[outer, inner], body);
-    }
-    if in_lines(local, ty, (outer, to), body) {
-        return true;
-    }
-    let (count, element) = match *ty {
-        Type::Array { len, .. } => (len, vec![Some(outer)]),
-        Type::Matrix { rows, cols: 1, .. } => (rows, vec![Some(outer), None]),
-        Type::Matrix { rows: 1, cols, .. } => (cols, vec![None, Some(outer)]),
-        Type::Matrix { rows, cols, .. } => (rows * cols, vec![Some(outer)]),
-        _ => return false,
-    };
-    let one_index = matches!(element.as_slice(), [Some(_)]);
-    to == count && assigns(local, &element, body)
-        || one_index && in_tiles(module, local, count, (outer, to), body)
-}
-
-/// Returns true if each pass of a loop assigns all elements of one column, or of one row, one by one. The body does not use
-/// the matrix otherwise.
-fn in_lines(local: LocalId, ty: &Type, (counter, to): (LocalId, u32), body: &Block) -> bool {
-    let Type::Matrix { rows, cols, .. } = *ty else { return false };
-    let counts = |index: &Expr| matches!(&index.kind, ExprKind::Load(place) if place.root == counter && place.steps.is_empty());
-    let (mut in_column, mut in_row) = (BTreeSet::new(), BTreeSet::new());
-    for stmt in body.0.iter().filter(|stmt| mentions(*stmt, local)) {
-        let StmtKind::Assign { place, value } = &stmt.kind else { return false };
-        let [Step::Element(row, column)] = place.steps.as_slice() else { return false };
-        if place.root != local || mentions(value, local) {
-            return false;
-        }
-        match (&row.kind, &column.kind) {
-            (ExprKind::Literal(row), _) if counts(column) => in_column.insert(*row),
-            (_, ExprKind::Literal(column)) if counts(row) => in_row.insert(*column),
-            _ => return false,
-        };
-    }
-    let all = |found: &BTreeSet<u64>, of: u32| found.iter().copied().eq(0..u64::from(of));
-    to == cols && all(&in_column, rows) || to == rows && all(&in_row, cols)
-}
-
-/// Returns true if a loop in each pass of another assigns the next elements, `array[tile * 8 + n]`. No other statement
-/// of the body mentions the array.
-fn in_tiles(
-    module: &Module,
-    local: LocalId,
-    count: u32,
-    (tile, tiles): (LocalId, u32),
-    body: &Block,
-) -> bool {
-    let mut used = body.0.iter().filter(|stmt| mentions(*stmt, local));
-    let (Some(inner), None) = (used.next(), used.next()) else { return false };
-    let Some((n, width, body)) = through(module, inner) else { return false };
-    let [Stmt { kind: StmtKind::Assign { place, value }, .. }] = body.0.as_slice() else {
-        return false;
-    };
-    let loads = |expr: &Expr, counter: LocalId| matches!(&expr.kind, ExprKind::Load(place) if place.root == counter && place.steps.is_empty());
-    let next = |index: &Expr| match &index.kind {
-        ExprKind::Binary(BinaryOp::Add, start, at) => {
-            let starts = matches!(&start.kind, ExprKind::Binary(BinaryOp::Mul, of, by)
-                if loads(of, tile) && by.kind == ExprKind::Literal(width.into()));
-            starts && loads(at, n)
-        }
-        _ => false,
-    };
-    let is_next = matches!(place.steps.as_slice(), [Step::Index(index)] if next(index));
-    is_next
-        && place.root == local
-        && !mentions(value, local)
-        && tiles.checked_mul(width) == Some(count)
-}
-
 /// Returns true if the statements after a struct's declaration write each of its fields before it is otherwise used. A
 /// field is written as a whole, or as an array by a loop over all of it.
 pub(super) fn rewritten(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
@@ -290,55 +206,6 @@ fn is_each(ty: &Type, step: &Step, counter: LocalId, to: u32) -> bool {
         _ => return false,
     };
     len == to && is_element(&place(vec![step.clone()]), &at)
-}
-
-/// Returns the counter of a loop from 0, its end and its body.
-fn through<'s>(module: &Module, stmt: &'s Stmt) -> Option<(LocalId, u32, &'s Block)> {
-    match &stmt.kind {
-        StmtKind::For { variable, from, to, inclusive: false, ended: false, body, .. } => {
-            let to = match &to.kind {
-                ExprKind::Literal(word) => *word,
-                ExprKind::Const(id) => *module.consts[id.index()].words.first()?,
-                _ => return None,
-            };
-            matches!(from.kind, ExprKind::Literal(0)).then_some((
-                *variable,
-                u32::try_from(to).ok()?,
-                body,
-            ))
-        }
-        _ => None,
-    }
-}
-
-/// Returns true if each path through a block assigns the element at these counters (none: at 0) before the local is
-/// otherwise used. Nothing may leave the block, and afterwards only this element is used.
-fn assigns(local: LocalId, at: &[Option<LocalId>], block: &Block) -> bool {
-    let Some(first) = block.0.iter().position(|stmt| mentions(stmt, local)) else { return false };
-    let assigned = match &block.0[first].kind {
-        StmtKind::Assign { place, value } => {
-            place.root == local && is_element(place, at) && !mentions(value, local)
-        }
-        StmtKind::If { condition, then, otherwise } => {
-            !mentions(condition, local) && assigns(local, at, then) && assigns(local, at, otherwise)
-        }
-        _ => false,
-    };
-    let another = |place: &Place, _| place.root == local && !is_element(place, at);
-    assigned && !block.0[first + 1..].any_place(another)
-}
-
-fn is_element(place: &Place, at: &[Option<LocalId>]) -> bool {
-    let is = |index: &Expr, at: &Option<LocalId>| match (&index.kind, at) {
-        (ExprKind::Load(place), Some(counter)) => place.root == *counter && place.steps.is_empty(),
-        (ExprKind::Literal(word), None) => *word == 0,
-        _ => false,
-    };
-    match (place.steps.as_slice(), at) {
-        ([Step::Index(index)], [counter]) => is(index, counter),
-        ([Step::Element(row, column)], [first, second]) => is(row, first) && is(column, second),
-        _ => false,
-    }
 }
 
 /// Returns true if a statement may leave a loop or the function.

@@ -9,8 +9,9 @@ use bessemer_ir::{
 use super::super::literal::{self, Readers};
 use super::super::tree::{Expr, Init, Stmt, StmtKind, SwitchArm, plain};
 use super::Lower;
-use super::fill::{filled, length, rewritten, spared, unwritten};
+use super::fill::{length, rewritten, spared, unwritten};
 use super::word::truth_of;
+use crate::filled::filled;
 use crate::passes::reached;
 use crate::uncopied::is_table;
 use bessemer_ir::effects::{calls, whole};
@@ -44,6 +45,17 @@ impl Lower<'_> {
                 IrKind::Let { local, value: Some(value) }
                     if self.is_idle(value)
                         && rewritten(
+                            self.context.module,
+                            *local,
+                            &value.ty,
+                            &block.0[index + 1..],
+                        ) =>
+                {
+                    self.let_(*local, None);
+                }
+                IrKind::Let { local, value: Some(value) }
+                    if self.is_copied(*local, value)
+                        && filled(
                             self.context.module,
                             *local,
                             &value.ty,
@@ -136,6 +148,15 @@ impl Lower<'_> {
         self.let_(local, None);
         let place = self.place(&whole(local));
         self.count_from("i", from, to, |lower, index| lower.store(place.at(index), None, item));
+    }
+
+    /// Returns true if a local begins as a copy of an array or a matrix.
+    fn is_copied(&self, local: LocalId, value: &Ir) -> bool {
+        let is_name = self.names.contains_key(&local) || self.part_of_result(local).is_some();
+        matches!(value.ty, Type::Array { .. } | Type::Matrix { .. })
+            && matches!(value.kind, ExprKind::Load(_))
+            && self.function.local(local).mode == Mode::Value
+            && !is_name
     }
 
     /// Returns true if a value need not be computed: it reads no place, and calls at most a pure function that others

@@ -75,7 +75,9 @@ fn lend_body(
         module.structs.append(&mut definitions);
         let (work, need) = lend_struct(module, index, own);
         let row = |laid: &Laid| entry::place(laid, &at, work);
-        rewrite::rewrite(&mut module.functions[index], 1, &lives, &plan.laid, &row);
+        let mut body = module.functions[index].clone();
+        rewrite::rewrite(module, &mut body, 1, &lives, &plan.laid, &row);
+        module.functions[index] = body;
         return need;
     }
     let (need, laid) = rows::lay(&lives);
@@ -93,7 +95,9 @@ fn lend_body(
         ty: need[laid.row].ty(),
         span: Default::default(),
     };
-    rewrite::rewrite(function, need.len() as u32, &lives, &laid, &row);
+    let mut body = function.clone();
+    rewrite::rewrite(module, &mut body, need.len() as u32, &lives, &laid, &row);
+    module.functions[index] = body;
     need
 }
 

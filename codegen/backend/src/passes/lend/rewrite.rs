@@ -1,22 +1,24 @@
 //! Makes each large local an alias of its memory, and passes memory to each call.
 //!
 //! A declaration becomes the alias, followed by the assignment of the first value, so the lifetime begins at the
-//! author's declaration.
+//! author's declaration. A first value that is never read is not assigned ([`filled`](crate::filled)).
 
 use std::collections::BTreeMap;
 
 use bessemer_ir::visit::{self, Access, VisitMut};
 use bessemer_ir::{
-    Argument, Block, Expr, ExprKind, Function, LocalId, Mode, Place, Span, Step, Stmt, StmtKind,
-    Type,
+    Argument, Block, Expr, ExprKind, Function, LocalId, Mode, Module, Place, Span, Step, Stmt,
+    StmtKind, Type,
 };
 
 use super::lives::{Life, What};
 use super::row::Row;
 use super::rows::Laid;
+use crate::filled::filled;
 
 /// Rewrites a function with `taken` additional parameters; `row` returns the place of a row.
 pub(super) fn rewrite(
+    module: &Module,
     function: &mut Function,
     taken: u32,
     lives: &[Life],
@@ -25,7 +27,7 @@ pub(super) fn rewrite(
 ) {
     let first = function.params - taken;
     let mut rewrite =
-        Rewrite { first, taken, locals: BTreeMap::new(), calls: BTreeMap::new(), call: 0 };
+        Rewrite { module, first, taken, locals: BTreeMap::new(), calls: BTreeMap::new(), call: 0 };
     for (life, laid) in lives.iter().zip(laid) {
         match life.what {
             What::Local(id) => {
@@ -56,7 +58,8 @@ fn part(mut row: Place, offset: u32, ty: &Type, own: &Row) -> Place {
     Place { ty: ty.clone(), ..row }
 }
 
-struct Rewrite {
+struct Rewrite<'m> {
+    module: &'m Module,
     /// First additional parameter of the function.
     first: u32,
     taken: u32,
@@ -68,17 +71,32 @@ struct Rewrite {
     call: usize,
 }
 
-impl Rewrite {
+impl Rewrite<'_> {
     fn renumbered(&self, local: LocalId) -> LocalId {
         if local.0 >= self.first { LocalId(local.0 + self.taken) } else { local }
     }
+
+    /// Returns true if the first value of the local that the first statement declares is never read.
+    fn is_filled(&self, stmts: &[Stmt]) -> bool {
+        let [Stmt { kind: StmtKind::Let { local, value: Some(value) }, .. }, rest @ ..] = stmts
+        else {
+            return false;
+        };
+        let is_idle = match &value.kind {
+            ExprKind::Splat(item) => matches!(item.kind, ExprKind::Literal(_)),
+            ExprKind::Load(_) => true,
+            _ => false,
+        };
+        self.locals.contains_key(local) && is_idle && filled(self.module, *local, &value.ty, rest)
+    }
 }
 
-impl VisitMut for Rewrite {
+impl VisitMut for Rewrite<'_> {
     fn block(&mut self, block: &mut Block) {
         visit::walk_block_mut(self, block);
         let stmts = std::mem::take(&mut block.0);
-        for mut stmt in stmts {
+        let filled: Vec<bool> = (0..stmts.len()).map(|at| self.is_filled(&stmts[at..])).collect();
+        for (mut stmt, is_filled) in stmts.into_iter().zip(filled) {
             let mut behind = None;
             if let StmtKind::Let { local, value } = &mut stmt.kind
                 && let Some(place) = self.locals.get(local)
@@ -93,7 +111,7 @@ impl VisitMut for Rewrite {
                 });
             }
             block.0.push(stmt);
-            block.0.extend(behind);
+            block.0.extend(behind.filter(|_| !is_filled));
         }
     }
 
