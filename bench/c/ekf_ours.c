@@ -30,12 +30,14 @@ void angles(const real three[3], real six[6])
 {
     for (size_t i = 0; i < 3; i++) {
 #ifdef BENCH_SINGLE
-        six[2 * i] = sine_sinf(three[i]);
-        six[2 * i + 1] = sine_cosf(three[i]);
+        pair_f32_f32_t pair;
+        sine_sin_cosf(three[i], &pair);
 #else
-        six[2 * i] = sine_sin(three[i]);
-        six[2 * i + 1] = sine_cos(three[i]);
+        pair_f64_f64_t pair;
+        sine_sin_cos(three[i], &pair);
 #endif
+        six[2 * i] = pair.first;
+        six[2 * i + 1] = pair.second;
     }
 }
 

@@ -116,46 +116,59 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
             }
             after[n] = variance;
         }
-        self.lose(state, &rows, &scaled, &after);
+        self.lose::<M, 0, 0>(&rows);
+        for n in 0..N {
+            #[unroll(8)]
+            for m in 0..M {
+                state[n] += rows[(m, n)] * scaled[m];
+            }
+            self.elements[(n, n)] = after[n];
+        }
         Correction { surprise, status: Status::Corrected }
     }
 
-    /// Subtracts Yᵀ Y from the covariance, and adds Yᵀ L⁻¹ ν to the state. The variances after it are known.
+    /// Subtracts the elements of Yᵀ Y beside its diagonal from the covariance, except for the rows and columns of the
+    /// `COUNT` elements from `FIRST` on.
     ///
     /// Three rows at once, since each number of Y then serves three. Both triangles have the same products in the same
     /// order.
     #[inline]
-    pub(crate) fn lose<const M: usize>(
+    pub(crate) fn lose<const M: usize, const FIRST: usize, const COUNT: usize>(
         &mut self,
-        state: &mut SVector<T, N>,
         rows: &SMatrix<T, M, N>,
-        scaled: &SVector<T, M>,
-        after: &SVector<T, N>,
     ) {
-        for row in 0..N % 3 {
-            for m in 0..M {
-                state[row] += rows[(m, row)] * scaled[m];
-            }
-            for col in 0..row {
+        // The first column, if the first ones are left out.
+        let start = if FIRST == 0 { COUNT } else { 0 };
+        // Rows that are no multiple of three, above and below the elements that are left out.
+        for at in 0..FIRST % 3 + (N - FIRST - COUNT) % 3 {
+            let row = if (N - FIRST - COUNT) % 3 < 1 || FIRST % 3 >= 1 && at < FIRST % 3 {
+                at
+            } else {
+                FIRST + COUNT + (at - FIRST % 3)
+            };
+            for col in start..row {
+                if FIRST > 0 && col >= FIRST && col < FIRST + COUNT {
+                    continue;
+                }
                 let mut value = self.elements[(row, col)];
+                #[unroll(8)]
                 for m in 0..M {
                     value -= rows[(m, row)] * rows[(m, col)];
                 }
                 self.elements[(row, col)] = value;
                 self.elements[(col, row)] = value;
             }
-            self.elements[(row, row)] = after[row];
         }
-        for block in 0..N / 3 {
-            let row = N % 3 + 3 * block;
-            #[unroll(8)]
-            for m in 0..M {
-                #[unroll(3)]
-                for k in 0..3 {
-                    state[row + k] += rows[(m, row + k)] * scaled[m];
+        for block in 0..FIRST / 3 + (N - FIRST - COUNT) / 3 {
+            let row = if N - FIRST - COUNT < 3 || FIRST >= 3 && block < FIRST / 3 {
+                FIRST % 3 + 3 * block
+            } else {
+                FIRST + COUNT + (N - FIRST - COUNT) % 3 + 3 * (block - FIRST / 3)
+            };
+            for col in start..row {
+                if FIRST > 0 && col >= FIRST && col < FIRST + COUNT {
+                    continue;
                 }
-            }
-            for col in 0..row {
                 let mut one = self.elements[(row, col)];
                 let mut two = self.elements[(row + 1, col)];
                 let mut three = self.elements[(row + 2, col)];
@@ -188,10 +201,6 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
             self.elements[(row, row + 2)] = two;
             self.elements[(row + 2, row + 1)] = three;
             self.elements[(row + 1, row + 2)] = three;
-            #[unroll(3)]
-            for k in 0..3 {
-                self.elements[(row + k, row + k)] = after[row + k];
-            }
         }
     }
 }

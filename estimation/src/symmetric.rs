@@ -255,8 +255,11 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
     }
 
     /// Corrects by `M` elements of the state from `FIRST` on, at most eight, whose errors are independent and have
-    /// these variances. In the C it needs a state of three numbers or more. With H P Hᵀ + R = L Lᵀ and Y = L⁻¹ H P, P
-    /// loses Yᵀ Y and the state gains Yᵀ L⁻¹ ν.
+    /// these variances R. In the C it needs a state of three numbers or more.
+    ///
+    /// With H P Hᵀ + R = L Lᵀ and Y = L⁻¹ H P, P loses Yᵀ Y and the state gains Yᵀ L⁻¹ ν. The covariance of a measured
+    /// element i with another one n is what row i of Y leaves of it: Yᵢₙ Rᵢ / Lᵢᵢ less the products of the rows of Y
+    /// below, half as many products, and precise where the measurement is.
     pub fn correct_part<const FIRST: usize, const M: usize>(
         &mut self,
         state: &mut SVector<T, N>,
@@ -264,10 +267,11 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
         variances: &SVector<T, M>,
         gate: T,
     ) -> Correction<T> {
-        // L below its diagonal: row m from m² / 2 on. `scales` has the reciprocals of the diagonal.
+        // L below its diagonal: row m from m² / 2 on. `scales` has the reciprocals of the diagonal, `left` R times these.
         let mut factor = [T::ZERO; 31];
         let mut scales = *innovation;
         let mut scaled = *innovation;
+        let mut left = *innovation;
         let mut surprise = T::ZERO;
         #[unroll(8)]
         for m in 0..M {
@@ -291,6 +295,7 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
             // The square is positive; `abs` lets compilers omit the case of a negative one.
             scales[m] = T::ONE / square.abs().sqrt();
             scaled[m] = rest * scales[m];
+            left[m] = variances[m] * scales[m];
             surprise += scaled[m] * scaled[m];
         }
         if !(surprise <= gate) {
@@ -318,7 +323,49 @@ impl<T: Real, const N: usize> Symmetric<T, N> {
             after[n] = variance;
         }
 
-        self.lose(state, &rows, &scaled, &after);
+        // The other elements of the state. If the first ones are measured, they begin behind these.
+        let start = if FIRST == 0 { M } else { 0 };
+        for n in start..N {
+            if FIRST > 0 && n >= FIRST && n < FIRST + M {
+                continue;
+            }
+            #[unroll(8)]
+            for m in 0..M {
+                state[n] += rows[(m, n)] * scaled[m];
+            }
+            #[unroll(8)]
+            for i in 0..M {
+                let mut value = rows[(i, n)] * left[i];
+                #[unroll(8)]
+                for m in i + 1..M {
+                    value -= rows[(m, n)] * rows[(m, FIRST + i)];
+                }
+                self.elements[(FIRST + i, n)] = value;
+                self.elements[(n, FIRST + i)] = value;
+            }
+            self.elements[(n, n)] = after[n];
+        }
+        #[unroll(8)]
+        for i in 0..M {
+            #[unroll(8)]
+            for n in 0..i {
+                let mut value = rows[(i, FIRST + n)] * left[i];
+                #[unroll(8)]
+                for m in i + 1..M {
+                    value -= rows[(m, FIRST + n)] * rows[(m, FIRST + i)];
+                }
+                self.elements[(FIRST + i, FIRST + n)] = value;
+                self.elements[(FIRST + n, FIRST + i)] = value;
+            }
+        }
+        for i in 0..M {
+            #[unroll(8)]
+            for m in 0..M {
+                state[FIRST + i] += rows[(m, FIRST + i)] * scaled[m];
+            }
+            self.elements[(FIRST + i, FIRST + i)] = after[FIRST + i];
+        }
+        self.lose::<M, FIRST, M>(&rows);
         Correction { surprise, status: Status::Corrected }
     }
 
