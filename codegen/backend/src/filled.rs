@@ -48,8 +48,7 @@ pub(crate) fn filled(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) 
         || one_index && in_tiles(module, local, count, (outer, to), body)
 }
 
-/// Returns true if each pass of a loop over the columns assigns the elements of its column in the order of the rows, before
-/// it uses them.
+/// Returns true if each pass of a loop over the columns assigns the elements of its column in order, before it uses them.
 fn in_columns(module: &Module, local: LocalId, rows: u32, column: LocalId, body: &Block) -> bool {
     let Some(first) = body.0.iter().position(|stmt| mentions(stmt, local)) else { return false };
     let Some((row, to, inner)) = through(module, &body.0[first]) else { return false };

@@ -20,8 +20,8 @@ use crate::{Result, fold, known};
 /// Largest number of rows that are processed together without need.
 const TOGETHER: usize = 4;
 
-/// Number of rows from which a group whose block needs every product is computed in one loop over all columns: written out,
-/// the products in its own columns would be long.
+/// Number of rows from which a group whose block needs every product has one loop over all columns. Written out, the products
+/// in its own columns would be long.
 const DENSE: usize = 3;
 
 /// Elements of a row of the Jacobian, by column.

@@ -19,7 +19,7 @@ pub(super) const CONSTANTS: [(f64, &str); 8] = [
 ];
 
 impl Printer<'_> {
-    /// Returns the declaration of the sine and the cosine of one angle together, which have the bits of each alone and one
+    /// Returns the declaration of the sine and the cosine of one angle together. Both have the bits of each alone, and need one
     /// reduction of the angle.
     pub(super) fn sine_and_cosine(&mut self, one: &StmtKind, other: &StmtKind) -> Option<String> {
         let (first, of_first, angle) = self.sine_or_cosine(one)?;

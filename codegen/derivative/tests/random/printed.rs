@@ -1,4 +1,4 @@
-//! Text of derivatives: what is written as one statement or one condition.
+//! Text of derivatives: two statements or two conditions that are written as one.
 
 use bessemer_derivative::body;
 use bessemer_ir::text::parse;
