@@ -163,8 +163,18 @@ pub fn lives(module: &Module, entries: &[(FunctionId, u32)], options: &Options) 
     })
 }
 
-/// Returns the program of [`lives`] that counts the instructions of each call, as [`marked`] does, and writes nothing.
-/// `bare`: for a machine without an operating system.
+/// Flag of a call in a program of [`counted`] that goes on from the state before it.
+pub const GOES_ON: u64 = 0;
+/// Flag of a call that restarts its component.
+pub const RESTARTS: u64 = 1;
+/// Flag of a call whose component's state is kept first.
+pub const KEEPS: u64 = 2;
+/// Flag of a call whose component first returns to the state that was kept.
+pub const RETURNS: u64 = 3;
+
+/// Returns the program of [`lives`] that counts the instructions of each call, as [`marked`] does, and writes nothing. The
+/// flag of a call is one of four: [`GOES_ON`], [`RESTARTS`], [`KEEPS`], [`RETURNS`]. `bare`: for a machine without an
+/// operating system.
 pub fn counted(
     module: &Module,
     entries: &[(FunctionId, u32)],
@@ -203,7 +213,7 @@ pub fn noted(
     })
 }
 
-/// Returns the program of [`lives`] that writes nothing, with `marked` around the text of each call.
+/// Returns the program of [`counted`], with `marked` around the text of each call.
 fn between_marks(
     module: &Module,
     entries: &[(FunctionId, u32)],
@@ -214,13 +224,16 @@ fn between_marks(
 ) -> String {
     let carrier = if bare { Carrier::Files } else { Carrier::Streams };
     several(module, entries, options, &carrier, |call, index| {
-        let Call { own, declarations, init, reads, call, spare, .. } = call;
+        let Call { own, declarations, init, kept: [kept, keep, back], reads, call, spare, .. } =
+            call;
         let call = marked(&call);
         let text = format!(
-            "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}    if (get() != 0) {{\n{init}    }}\n\
+            "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}    switch (get()) {{\n    \
+             case {RESTARTS}:\n{init}        break;\n    case {KEEPS}:\n{keep}        break;\n    \
+             case {RETURNS}:\n{back}        break;\n    default:\n        break;\n    }}\n\
              {reads}{call}        (void)status;\n{spare}}}\n\n"
         );
-        ([own, marks.to_owned()], text)
+        ([own + &kept, marks.to_owned()], text)
     })
 }
 
@@ -278,6 +291,8 @@ struct Call {
     declarations: String,
     /// Initialisation of the state.
     init: String,
+    /// Declaration of a copy of the state, and the statements that set the copy and return to it.
+    kept: [String; 3],
     /// Statements that read the state.
     sets: String,
     /// Statements that read the arguments.
@@ -314,6 +329,11 @@ impl Call {
             let own = &names.structs[component.index()];
             pieces.own = format!("    static {} {this};\n", own.ty);
             pieces.init = format!("    {init}(&{this});\n");
+            pieces.kept = [
+                format!("    static {} kept_{this};\n", own.ty),
+                format!("        kept_{this} = {this};\n"),
+                format!("        {this} = kept_{this};\n"),
+            ];
             let ty = Type::Struct(component);
             walk.reads(&ty, this, &mut pieces.sets);
             walk.writes(&ty, this, &mut pieces.state);

@@ -17,6 +17,7 @@ mod fast_mode;
 mod firmware;
 mod flight;
 mod interface;
+mod kept;
 mod kernel_options;
 mod large;
 mod layouts;

@@ -68,7 +68,7 @@ pub struct Change {
     pub entries: Vec<String>,
     /// Requirements of changed functions.
     pub requirements: Vec<String>,
-    /// Tests of these requirements.
+    /// Tests of these requirements, and tests that name a component whose entry points reach a change.
     pub tests: Vec<Named>,
     /// Numbers of functions that are equal to the byte, and of all.
     pub equal: (usize, usize),
@@ -134,10 +134,17 @@ pub fn change(since: &str, before: &Version<'_>, now: &Version<'_>, items: &[Ite
     };
     let touched: BTreeSet<&String> =
         items.iter().filter(of_parts).flat_map(|it| &it.requirements).collect();
-    let tests = items
+    let manifest = entries;
+    let components: BTreeSet<&str> =
+        found.entries.iter().filter_map(|it| manifest.get(it)?["component"].as_str()).collect();
+    let again = |it: &&Item| {
+        it.is_test
+            && (it.requirements.iter().any(|id| touched.contains(id))
+                || named(it, items).iter().any(|name| components.contains(name)))
+    };
+    found.tests = items
         .iter()
-        .filter(|it| it.is_test && it.requirements.iter().any(|id| touched.contains(id)));
-    found.tests = tests
+        .filter(again)
         .map(|it| Named { name: it.name.clone(), place: format!("{}:{}", it.file, it.line) })
         .collect();
     found.requirements = touched.into_iter().cloned().collect();
@@ -150,6 +157,25 @@ pub fn change(since: &str, before: &Version<'_>, now: &Version<'_>, items: &[Ite
         }
     }
     found
+}
+
+/// Returns the names in a test, and in the functions of its file that it calls.
+fn named<'i>(test: &'i Item, items: &'i [Item]) -> BTreeSet<&'i str> {
+    let mut names: BTreeSet<&str> = BTreeSet::new();
+    let mut open = vec![test];
+    while let Some(item) = open.pop() {
+        for word in &item.words {
+            if names.insert(word) {
+                let is_it = |it: &&Item| {
+                    it.is_function
+                        && it.file == test.file
+                        && it.name.rsplit("::").next() == Some(word)
+                };
+                open.extend(items.iter().filter(is_it));
+            }
+        }
+    }
+    names
 }
 
 const FUNCTION: &str = "function";
@@ -260,7 +286,8 @@ fn tool_of(manifest: &str) -> Option<String> {
 }
 
 /// Figures of entry points in the manifest of the C.
-const FIGURES: [(&str, &str); 5] = [
+const FIGURES: [(&str, &str); 6] = [
+    ("estimated_instructions", "estimated instructions of the longest path"),
     ("stack_bytes", "bytes of stack"),
     ("state_bytes", "bytes of state"),
     ("checks", "checks"),
@@ -281,9 +308,11 @@ fn figures(before: &str, now: &str) -> Vec<Figure> {
     let value = |of: Option<&Value>, key: &str| {
         of.and_then(|it| it[key].as_u64()).map_or("–".to_owned(), |it| it.to_string())
     };
+    // An earlier manifest may lack a figure altogether.
+    let has = |key: &str| before.values().any(|it| !it[key].is_null());
     let mut figures = Vec::new();
     for name in names {
-        for (key, what) in FIGURES {
+        for (key, what) in FIGURES.iter().copied().filter(|it| has(it.0)) {
             let (before, now) = (value(before.get(name), key), value(now.get(name), key));
             if before != now {
                 figures.push(Figure { entry: name.clone(), what, before, now });
@@ -311,7 +340,7 @@ double motor_step(double x)\n{{\n    return inner(x);\n}}\n\ndouble motor_stop(d
 
     fn manifest(stack: u32, version: &str) -> String {
         format!(
-            "{{\"version\": \"{version}\", \"entries\": [{{\"entry\": \"motor_step\", \"stack_bytes\": {stack}}}, {{\"entry\": \"motor_stop\"}}]}}"
+            "{{\"version\": \"{version}\", \"entries\": [{{\"entry\": \"motor_step\", \"component\": \"Motor\", \"stack_bytes\": {stack}}}, {{\"entry\": \"motor_stop\"}}]}}"
         )
     }
 
@@ -325,16 +354,25 @@ double motor_step(double x)\n{{\n    return inner(x);\n}}\n\ndouble motor_stop(d
             Version { folder: &old, manifest: &old_manifest, rust: &rust("2.0"), options: None };
         let now =
             Version { folder: &new, manifest: &new_manifest, rust: &rust(gain), options: None };
-        let item = |name: &str, lines: (u32, u32), is_test| Item {
-            name: name.to_owned(),
-            file: "src/lib.rs".to_owned(),
-            line: lines.0,
-            last_line: lines.1,
-            is_test,
-            is_function: true,
-            requirements: vec!["A".to_owned()],
-        };
-        change("v1", &before, &now, &[item("inner", (2, 4), false), item("holds", (20, 21), true)])
+        let item =
+            |name: &str, lines: (u32, u32), is_test, requirements: &[&str], words: &[&str]| Item {
+                name: name.to_owned(),
+                file: "src/lib.rs".to_owned(),
+                line: lines.0,
+                last_line: lines.1,
+                is_test,
+                is_function: true,
+                requirements: requirements.iter().map(|it| (*it).to_owned()).collect(),
+                words: words.iter().map(|it| (*it).to_owned()).collect(),
+            };
+        let items = [
+            item("inner", (2, 4), false, &["A"], &[]),
+            item("holds", (20, 21), true, &["A"], &[]),
+            item("motor", (22, 23), false, &[], &["Motor"]),
+            item("settles", (24, 25), true, &[], &["motor"]),
+            item("adds", (26, 27), true, &[], &["Sum"]),
+        ];
+        change("v1", &before, &now, &items)
     }
 
     #[test]
@@ -351,7 +389,8 @@ double motor_step(double x)\n{{\n    return inner(x);\n}}\n\ndouble motor_stop(d
         assert_eq!((&*part.name, part.what, &*part.why), ("inner", "changed", "src/lib.rs:3"));
         assert_eq!(change.entries, ["motor_step"]);
         assert_eq!(change.requirements, ["A"]);
-        assert_eq!(change.tests.len(), 1);
+        let tests: Vec<&str> = change.tests.iter().map(|it| &*it.name).collect();
+        assert_eq!(tests, ["holds", "settles"]);
         assert_eq!(change.equal, (2, 3));
         let [figure] = &change.figures[..] else { panic!("one figure") };
         assert_eq!((&*figure.before, &*figure.now), ("8", "16"));

@@ -351,6 +351,7 @@ mod tests {
             is_test: true,
             is_function: true,
             requirements: Vec::new(),
+            words: std::collections::BTreeSet::new(),
         }
     }
 

@@ -28,8 +28,6 @@ use bessemer_dossier::requirements::{Matrix, Results};
 use bessemer_dossier::scan::Kind;
 use bessemer_dossier::trace::{Folder, Workspace};
 use bessemer_dossier::{output, page};
-use bessemer_legs::longest;
-use bessemer_legs::toolchain::Toolchain;
 use bessemer_project::Project;
 
 use crate::args::Dossier;
@@ -188,15 +186,7 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
         let targets = checks::targets();
         say("finding the longest paths, and counting calls");
         let (project, compiled, calls) = (&project, &compiled, &calls);
-        let of_target = |(name, toolchain): &(&'static str, Toolchain)| {
-            let (name, toolchain) = (*name, toolchain.clone());
-            move || worst::paths(project, compiled, name, &toolchain, calls)
-        };
-        let known = targets.iter().filter(|it| longest::processor(&it.1).is_some());
-        let found = std::thread::scope(|scope| {
-            let runs: Vec<_> = known.map(|it| scope.spawn(of_target(it))).collect();
-            runs.into_iter().map(joined).collect::<Vec<_>>()
-        });
+        let found = worst::on_all(project, compiled, &targets, calls);
         for (outcome, rows) in found {
             results.push(outcome);
             paths.extend(rows);

@@ -2,6 +2,8 @@
 //!
 //! Invariant: a call that took more than its path fails the check, since the model is then wrong.
 
+use std::sync::mpsc::{self, Receiver, Sender};
+
 use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_dossier::content::{Outcome, Paths, grouped};
 use bessemer_ir::FunctionId;
@@ -12,27 +14,37 @@ use bessemer_project::Project;
 use super::checks::{FAILED, NOT_RUN, PASSED, first_error, try_out, version};
 use super::climb::{Peaks, climb};
 use super::known::Known;
-use super::outcome;
+use super::{joined, outcome};
 use crate::error::Error;
 use crate::verify::counted::{Both, Counter};
-use crate::verify::search::Life;
+use crate::verify::search::{Life, Search};
 
 /// Most instructions, by their bounds, of the recorded calls of one entry point: some minutes of emulation.
 const BUDGET: u64 = 20_000_000_000;
 
 /// Instructions that are counted to climb at one entry point, for each round of the search.
-const CLIMB: u64 = 25_000_000;
+const CLIMB: u64 = 20_000_000;
 /// [`CLIMB`] where doubles are the library's, so that all calls are longer and are counted twice.
-const CLIMB_SOFT: u64 = 20_000_000;
+const CLIMB_SOFT: u64 = 40_000_000;
 /// [`CLIMB`] with subnormal numbers, of which no bound is near.
-const CLIMB_SUBNORMAL: u64 = 3_000_000;
+const CLIMB_SUBNORMAL: u64 = 1_500_000;
 
 /// Number of words of the calls that one program counts: 64 MB.
 const MOST: usize = 8 << 20;
-/// Number of changed lives of an entry point in a round.
+/// Number of changed lives of an entry point in a round, and of made lives of a function that others follow.
 const BATCH: usize = 16;
 /// A search ends at an entry point whose bound is at most this many percent of the most that was counted.
-const CLOSE: u64 = 125;
+const CLOSE: u64 = 150;
+
+/// Long calls, from one target to another. Each is lives behind one another, the last with the call.
+///
+/// A call that is long on one target is often long on another, and a search is faster where doubles are in hardware.
+enum Exchange {
+    /// To the targets that wait.
+    Sends(Sender<Vec<Vec<Life>>>),
+    /// From all targets that send.
+    Waits(Receiver<Vec<Vec<Life>>>),
+}
 
 /// Counts calls. Returns their number, and the most instructions of each entry point, in their order.
 ///
@@ -43,6 +55,7 @@ fn counted(
     options: &Options,
     toolchain: &Toolchain,
     bounds: &[Longest],
+    exchange: Option<Exchange>,
 ) -> Result<(usize, Vec<Both>), Error> {
     let functions = &known.functions;
     let mut counter = Counter::build(compiled, options, functions, toolchain)?;
@@ -54,14 +67,15 @@ fn counted(
         let of_numbers = |it: &Longest| bound(it, numbers).map(|it| it.instructions.max(1));
         functions.iter().map(|id| of_function(id).and_then(of_numbers)).collect()
     };
-    let mut ascents = vec![Ascents::new(Numbers::Any, of(Numbers::Any))];
+    // Subnormal numbers are no slower in hardware, and a call with them says little about other targets.
+    let mut ascents = vec![Ascents::new(Numbers::Normal, of(Numbers::Normal))];
     if longest::has_slow_numbers(toolchain) {
-        ascents.push(Ascents::new(Numbers::Normal, of(Numbers::Normal)));
+        ascents.insert(0, Ascents::new(Numbers::Any, of(Numbers::Any)));
     }
     let bounds = of(Numbers::Any);
     let mut count = |counter: &mut Counter, lives: &[Life]| -> Result<(), Error> {
         for (life, both) in lives.iter().zip(counter.count(lives)?) {
-            ascents.iter_mut().for_each(|it| it.note(life, both));
+            ascents.iter_mut().for_each(|it| it.note(&[], life, both));
         }
         Ok(())
     };
@@ -81,7 +95,7 @@ fn counted(
         Ok(())
     })?;
     count(&mut counter, &lives)?;
-    lengthened(known, &mut counter, &mut ascents)?;
+    lengthened(known, &mut counter, &mut ascents, exchange)?;
     let of = |id| {
         functions.iter().position(|it| *it == id).map_or(Both::default(), |at| counter.most[at])
     };
@@ -110,8 +124,8 @@ impl Ascents {
         Ascents { numbers, bounds, peaks }
     }
 
-    fn note(&mut self, life: &Life, both: Both) {
-        self.peaks[life.target].note(life, both.of(self.numbers));
+    fn note(&mut self, before: &[Life], life: &Life, both: Both) {
+        self.peaks[life.target].note(before, life, both.of(self.numbers));
     }
 
     /// True if the bound of a function is far above the most that was counted.
@@ -127,6 +141,7 @@ fn lengthened(
     known: &Known<'_>,
     counter: &mut Counter,
     ascents: &mut [Ascents],
+    exchange: Option<Exchange>,
 ) -> Result<(), Error> {
     let mut search = known.search.clone();
     for _ in 0..known.rounds {
@@ -143,11 +158,22 @@ fn lengthened(
             if longer {
                 search.keep(life);
             }
-            ascents.iter_mut().for_each(|it| it.note(life, both));
+            ascents.iter_mut().for_each(|it| it.note(&[], life, both));
         }
     }
+    after_others(known, &search, counter, ascents)?;
+    let longest = match exchange {
+        Some(Exchange::Sends(longest)) => Some(longest),
+        Some(Exchange::Waits(others)) => {
+            for rows in others {
+                of_rows(&rows, counter, ascents)?;
+            }
+            None
+        }
+        None => None,
+    };
     let soft = ascents.len() > 1;
-    for it in ascents {
+    for it in ascents.iter_mut() {
         for at in 0..it.bounds.len() {
             if let Some(bound) = it.bounds[at].filter(|_| it.is_open(counter, at)) {
                 let budget = match (soft, it.numbers) {
@@ -156,20 +182,103 @@ fn lengthened(
                     (true, Numbers::Any) => CLIMB_SUBNORMAL,
                 };
                 let ends = [100 * bound / CLOSE, known.rounds.saturating_mul(budget)];
-                climb(&mut search, counter, &it.peaks[at], it.numbers, ends)?;
+                climb(&mut search, counter, &mut it.peaks[at], it.numbers, ends)?;
             }
+        }
+    }
+    if let Some(longest) = longest {
+        let of = |it: &Ascents| it.peaks.iter().flat_map(Peaks::lives).collect::<Vec<_>>();
+        // Nobody waits where no other target is installed.
+        let _ = longest.send(ascents.iter().flat_map(of).collect());
+    }
+    Ok(())
+}
+
+/// Counts rows of lives: those of another target, or made ones.
+fn of_rows(
+    rows: &[Vec<Life>],
+    counter: &mut Counter,
+    ascents: &mut [Ascents],
+) -> Result<(), Error> {
+    for (row, both) in rows.iter().zip(counter.count_rows(rows)?) {
+        let Some((life, before)) = row.split_last() else { continue };
+        ascents.iter_mut().for_each(|it| it.note(before, life, both));
+    }
+    Ok(())
+}
+
+/// Counts made calls behind those of the component's other functions: behind the longest ones, behind made ones, and behind
+/// two of them.
+fn after_others(
+    known: &Known<'_>,
+    search: &Search<'_>,
+    counter: &mut Counter,
+    ascents: &mut [Ascents],
+) -> Result<(), Error> {
+    let made = |at: usize| {
+        let all: Vec<&Life> = known.lives.iter().filter(|it| it.target == at).collect();
+        let step = all.len().div_ceil(BATCH).max(1);
+        all.into_iter().step_by(step).cloned().collect::<Vec<Life>>()
+    };
+    for at in 0..counter.most.len() {
+        let open: Vec<&Ascents> = ascents.iter().filter(|it| it.is_open(counter, at)).collect();
+        if open.is_empty() {
+            continue;
+        }
+        let mut states: Vec<Vec<Life>> = Vec::new();
+        let others = search.others(at);
+        for other in &others {
+            states.extend(made(*other).into_iter().map(|it| vec![it]));
+            states.extend(open.iter().flat_map(|it| it.peaks[*other].lives()));
+            for next in others.iter().filter(|it| *it != other) {
+                states.extend(made(*other).into_iter().zip(made(*next)).map(|(a, b)| vec![a, b]));
+            }
+        }
+        let lives = made(at);
+        for before in states.chunks(BATCH) {
+            let behind = |life: &Life| {
+                let row = |it: &Vec<Life>| [&**it, std::slice::from_ref(life)].concat();
+                before.iter().map(row).collect::<Vec<_>>()
+            };
+            let rows: Vec<Vec<Life>> = lives.iter().flat_map(behind).collect();
+            of_rows(&rows, counter, ascents)?;
         }
     }
     Ok(())
 }
 
-/// Finds the longest paths on a target that the model has, and counts calls where the emulator is installed.
-pub fn paths(
+/// Finds the longest paths on the targets that the model has, and counts calls where the emulator is installed.
+pub fn on_all(
+    project: &Project,
+    compiled: &Compiled,
+    targets: &[(&'static str, Toolchain)],
+    known: &Known<'_>,
+) -> Vec<(Outcome, Option<Paths>)> {
+    let (sender, receiver) = mpsc::channel();
+    let mut receiver = Some(receiver);
+    let mut runs = Vec::new();
+    for (name, toolchain) in targets.iter().filter(|it| longest::processor(&it.1).is_some()) {
+        let exchange = match longest::has_slow_numbers(toolchain) {
+            true => receiver.take().map(Exchange::Waits),
+            false => Some(Exchange::Sends(sender.clone())),
+        };
+        runs.push(move || paths(project, compiled, name, toolchain, known, exchange));
+    }
+    // Who waits is done when all that send have ended.
+    drop(sender);
+    std::thread::scope(|scope| {
+        let runs: Vec<_> = runs.into_iter().map(|it| scope.spawn(it)).collect();
+        runs.into_iter().map(joined).collect()
+    })
+}
+
+fn paths(
     project: &Project,
     compiled: &Compiled,
     name: &str,
     toolchain: &Toolchain,
     known: &Known<'_>,
+    exchange: Option<Exchange>,
 ) -> (Outcome, Option<Paths>) {
     let (what, compiler) = (format!("Longest paths on {name}"), version(toolchain.compiler));
     let command = format!("cargo bessemer verify --target {name}");
@@ -190,12 +299,12 @@ pub fn paths(
         Ok(()) if options.hook.is_some() => {
             Err((PASSED, "the C calls the firmware's own function at a fault".to_owned()))
         }
-        Ok(()) => {
-            counted(known, compiled, options, &toolchain, &list).map_err(|error| match error {
+        Ok(()) => counted(known, compiled, options, &toolchain, &list, exchange).map_err(|error| {
+            match error {
                 Error::Compiler { said, .. } => (FAILED, first_error(&said).to_owned()),
                 error => (FAILED, error.to_string()),
-            })
-        }
+            }
+        }),
     };
     let most = counted.as_ref().map(|it| it.1.clone()).unwrap_or_default();
     let rows: Vec<Row> =

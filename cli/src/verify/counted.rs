@@ -26,6 +26,13 @@ pub struct LongestCall {
     pub at: usize,
 }
 
+impl LongestCall {
+    /// Returns the longer one; this one if they are equal.
+    fn longer(self, other: LongestCall) -> LongestCall {
+        if other.instructions > self.instructions { other } else { self }
+    }
+}
+
 /// The longest call of a life, and the longest one with normal numbers alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Both {
@@ -118,8 +125,50 @@ impl Counter {
     /// # Errors
     /// The message of the emulator or the system.
     pub fn count(&mut self, lives: &[Life]) -> Result<Vec<Both>, Error> {
-        let input: Vec<u8> = lives.iter().flat_map(Life::bytes).collect();
-        let calls: usize = lives.iter().map(|it| it.calls.len()).sum();
+        let parts: Vec<_> = lives.iter().map(|it| (harness::RESTARTS, it)).collect();
+        self.count_parts(&parts)
+    }
+
+    /// Counts the calls of some lives, each from the state that other lives of the same component leave, one behind the
+    /// other. The others are counted once.
+    ///
+    /// # Errors
+    /// The message of the emulator or the system.
+    pub fn count_after(&mut self, before: &[Life], lives: &[Life]) -> Result<Vec<Both>, Error> {
+        if before.is_empty() {
+            return self.count(lives);
+        }
+        let mut parts = in_a_row(before);
+        let mut flag = harness::KEEPS;
+        for life in lives {
+            parts.push((flag, life));
+            if !life.calls.is_empty() {
+                flag = harness::RETURNS;
+            }
+        }
+        let mut found = self.count_parts(&parts)?;
+        Ok(found.split_off(before.len()))
+    }
+
+    /// Counts the calls of lives that follow one another. Returns the longest calls of the last life of each row.
+    ///
+    /// # Errors
+    /// The message of the emulator or the system.
+    pub fn count_rows(&mut self, rows: &[Vec<Life>]) -> Result<Vec<Both>, Error> {
+        let parts: Vec<_> = rows.iter().flat_map(|it| in_a_row(it)).collect();
+        let found = self.count_parts(&parts)?;
+        let mut end = 0;
+        let ends = rows.iter().map(|it| {
+            end += it.len();
+            end.checked_sub(1).and_then(|last| found.get(last)).copied().unwrap_or_default()
+        });
+        Ok(ends.collect())
+    }
+
+    /// Counts the calls of lives in one run, each with the flag of its first call.
+    fn count_parts(&mut self, parts: &[(u64, &Life)]) -> Result<Vec<Both>, Error> {
+        let input: Vec<u8> = parts.iter().flat_map(|(flag, it)| it.bytes_with(*flag)).collect();
+        let calls = parts.iter().map(|it| it.1.calls.len()).sum::<usize>();
         let noted = || match &self.notes {
             Some((folder, program)) => self.run(folder, program, &input, calls),
             None => Ok(vec![0; calls]),
@@ -132,29 +181,35 @@ impl Counter {
         let (counts, met) = (counts?, met.unwrap_or_else(|it| std::panic::resume_unwind(it))?);
         self.calls += calls;
         let mut rest = counts.iter().zip(&met);
-        let longest = lives.iter().map(|life| {
+        let longest = parts.iter().map(|(_, life)| {
             let caller = self.callers[life.target];
             let mut both = Both::default();
             for (at, (count, met)) in rest.by_ref().take(life.calls.len()).enumerate() {
                 let call = LongestCall { instructions: count.saturating_sub(caller), at };
-                let longer = |one: LongestCall| {
-                    if call.instructions > one.instructions { call } else { one }
-                };
-                both.any = longer(both.any);
+                both.any = both.any.longer(call);
                 if *met < harness::LINGERS {
-                    both.normal = longer(both.normal);
+                    both.normal = both.normal.longer(call);
                 }
             }
             let most = &mut self.most[life.target];
-            let longer = |one: LongestCall, other: LongestCall| {
-                if other.instructions > one.instructions { other } else { one }
-            };
-            (most.any, most.normal) =
-                (longer(most.any, both.any), longer(most.normal, both.normal));
+            (most.any, most.normal) = (most.any.longer(both.any), most.normal.longer(both.normal));
             both
         });
         Ok(longest.collect())
     }
+}
+
+/// Returns lives with their flags, of which the first begins in the initial state.
+fn in_a_row(lives: &[Life]) -> Vec<(u64, &Life)> {
+    let mut flag = harness::RESTARTS;
+    let mut parts = Vec::new();
+    for life in lives {
+        parts.push((flag, life));
+        if !life.calls.is_empty() {
+            flag = harness::GOES_ON;
+        }
+    }
+    parts
 }
 
 /// Builds the program that tells which calls met a subnormal number.

@@ -4,7 +4,7 @@
 //! Invariants: each life begins in the initial state, so that what it reaches can be reached; a seed gives the same lives
 //! each time. It must not know how the coverage is measured.
 
-use bessemer_ir::{FunctionId, Module, Role, Scalar, Type};
+use bessemer_ir::{FunctionId, Mode, Module, Owner, Role, Scalar, Type};
 use bessemer_legs::arguments::{self, Numbers, Size};
 use bessemer_legs::harness;
 use bessemer_legs::longest::Numbers as Met;
@@ -31,11 +31,16 @@ pub struct Life {
 }
 
 impl Life {
-    /// Returns the input of a program that makes the calls (`harness::lives`).
+    /// Returns the input of a program that makes the calls from the initial state (`harness::lives`).
     pub fn bytes(&self) -> Vec<u8> {
+        self.bytes_with(harness::RESTARTS)
+    }
+
+    /// Returns the input of a program that makes the calls, with a flag for the first one (`harness::counted`).
+    pub fn bytes_with(&self, first: u64) -> Vec<u8> {
         let mut bytes = Vec::new();
         for (at, call) in self.calls.iter().enumerate() {
-            let head = [self.target as u64, u64::from(at == 0)];
+            let head = [self.target as u64, if at == 0 { first } else { harness::GOES_ON }];
             bytes.extend(head.iter().chain(call).flat_map(|word| word.to_le_bytes()));
         }
         bytes
@@ -148,6 +153,18 @@ impl<'m> Search<'m> {
             target.known.remove(self.random.below(KEPT));
         }
         target.known.push(Life { target: life.target, calls });
+    }
+
+    /// Returns the places of the other functions that may change the component of this one.
+    pub fn others(&self, place: usize) -> Vec<usize> {
+        let of = |at: usize| &self.module.functions[self.targets[at].id.index()];
+        let changes = |at: usize| of(at).parameters().iter().any(|it| it.mode == Mode::RefMut);
+        let is_other =
+            |at: &usize| *at != place && of(*at).owner == of(place).owner && changes(*at);
+        match of(place).owner {
+            Some(Owner::Struct(_)) => (0..self.targets.len()).filter(is_other).collect(),
+            _ => Vec::new(),
+        }
     }
 
     /// Returns the changes of one word that may make a call longer.

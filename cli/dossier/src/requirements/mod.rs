@@ -210,6 +210,7 @@ mod tests {
             is_test,
             is_function: true,
             requirements: requirements.iter().map(|it| (*it).to_owned()).collect(),
+            words: BTreeSet::new(),
         }
     }
 

@@ -2,6 +2,10 @@
 //!
 //! The source text is read, not what a macro made of it, so that tests and items outside of the models count, too.
 
+use std::collections::BTreeSet;
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
@@ -22,6 +26,8 @@ pub struct Item {
     pub is_function: bool,
     /// Requirements that it names.
     pub requirements: Vec<String>,
+    /// Names in a function.
+    pub words: BTreeSet<String>,
 }
 
 /// A mistake in an attribute or a source.
@@ -105,7 +111,7 @@ impl Reader<'_> {
         name: &str,
         span: proc_macro2::Span,
         attributes: &[syn::Attribute],
-        is_function: bool,
+        function: Option<&dyn ToTokens>,
     ) {
         let mut requirements = self.named(attributes);
         requirements.extend(self.above.iter().flatten().cloned());
@@ -122,8 +128,9 @@ impl Reader<'_> {
             line: span.start().line as u32,
             last_line: span.end().line as u32,
             is_test,
-            is_function,
+            is_function: function.is_some(),
             requirements,
+            words: function.map(|it| words(it.to_token_stream())).unwrap_or_default(),
         });
     }
 
@@ -135,6 +142,21 @@ impl Reader<'_> {
         self.above.pop();
         self.path.pop();
     }
+}
+
+/// Returns the names in some tokens; those in the arguments of macros, too.
+fn words(tokens: TokenStream) -> BTreeSet<String> {
+    let mut words = BTreeSet::new();
+    for token in tokens {
+        match token {
+            TokenTree::Ident(name) => {
+                words.insert(name.to_string());
+            }
+            TokenTree::Group(group) => words.extend(self::words(group.stream())),
+            _ => {}
+        }
+    }
+    words
 }
 
 impl<'ast> Visit<'ast> for Reader<'_> {
@@ -153,29 +175,29 @@ impl<'ast> Visit<'ast> for Reader<'_> {
     }
 
     fn visit_item_fn(&mut self, item: &'ast syn::ItemFn) {
-        self.add(&item.sig.ident.to_string(), item.span(), &item.attrs, true);
+        self.add(&item.sig.ident.to_string(), item.span(), &item.attrs, Some(item));
         visit::visit_item_fn(self, item);
     }
 
     fn visit_impl_item_fn(&mut self, item: &'ast syn::ImplItemFn) {
-        self.add(&item.sig.ident.to_string(), item.span(), &item.attrs, true);
+        self.add(&item.sig.ident.to_string(), item.span(), &item.attrs, Some(item));
         visit::visit_impl_item_fn(self, item);
     }
 
     fn visit_item_struct(&mut self, item: &'ast syn::ItemStruct) {
-        self.add(&item.ident.to_string(), item.span(), &item.attrs, false);
+        self.add(&item.ident.to_string(), item.span(), &item.attrs, None);
     }
 
     fn visit_item_enum(&mut self, item: &'ast syn::ItemEnum) {
-        self.add(&item.ident.to_string(), item.span(), &item.attrs, false);
+        self.add(&item.ident.to_string(), item.span(), &item.attrs, None);
     }
 
     fn visit_item_const(&mut self, item: &'ast syn::ItemConst) {
-        self.add(&item.ident.to_string(), item.span(), &item.attrs, false);
+        self.add(&item.ident.to_string(), item.span(), &item.attrs, None);
     }
 
     fn visit_item_static(&mut self, item: &'ast syn::ItemStatic) {
-        self.add(&item.ident.to_string(), item.span(), &item.attrs, false);
+        self.add(&item.ident.to_string(), item.span(), &item.attrs, None);
     }
 }
 

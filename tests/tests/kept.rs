@@ -1,0 +1,71 @@
+//! The program that counts calls keeps a state and returns to it, so that the calls before many others run once.
+
+use bessemer_codegen::compile::Options;
+use bessemer_tests::harness::{self, GOES_ON, KEEPS, RESTARTS, RETURNS};
+use bessemer_tests::pilot::entry;
+use bessemer_tests::process::lay_out;
+use bessemer_tests::toolchain::{self, ARM};
+use bessemer_tests::watch::watched;
+use bessemer_tests::workspace::Workspace;
+
+/// The number of passes of a call is the sum of all arguments so far.
+const MODEL: &str = "//! A sum.
+#![no_std]
+use bessemer::prelude::*;
+
+/// Sum of all arguments.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Total {
+    /// The sum.
+    pub sum: u32,
+}
+
+#[component]
+impl Total {
+    /// Adds a number, and returns a power of 3.
+    #[entry(infallible)]
+    pub fn step(&mut self, more: u32) -> u32 {
+        self.sum = self.sum.saturating_add(more).min(1000);
+        let mut power = 1_u32;
+        for _ in 0..self.sum {
+            power = power.wrapping_mul(3);
+        }
+        power
+    }
+}
+";
+
+#[test]
+fn a_call_that_returns_to_a_state_takes_as_long_as_one_from_it() {
+    if !ARM.programs().into_iter().all(toolchain::is_asked_for) {
+        return;
+    }
+    let workspace = Workspace::with_source(MODEL).expect("a workspace");
+    let compiled = workspace.compiled().unwrap_or_else(|said| panic!("{said}"));
+    let step = entry(&compiled, "Total", "step").expect("an entry point");
+    let folder = lay_out(&compiled).expect("a folder");
+    let main = folder.path().join("main.c");
+    let text = harness::counted(&compiled.explicit, &[(step, 2)], &Options::default(), false);
+    std::fs::write(&main, text).expect("the program");
+    let counted = |calls: &[(u64, u64)]| {
+        let words = calls.iter().flat_map(|(flag, more)| [0, *flag, *more]);
+        let input: Vec<u8> = words.flat_map(u64::to_le_bytes).collect();
+        let watched = watched(&ARM, folder.path(), &main, folder.sources(), &input);
+        watched.unwrap_or_else(|said| panic!("{said}")).counts
+    };
+    let whole = |more: u64| {
+        *counted(&[(RESTARTS, 100), (GOES_ON, 20), (GOES_ON, more)]).last().expect("a count")
+    };
+    let from_one = counted(&[
+        (RESTARTS, 100),
+        (GOES_ON, 20),
+        (KEEPS, 3),
+        (RETURNS, 400),
+        (GOES_ON, 50),
+        (RETURNS, 0),
+    ]);
+    assert_eq!(from_one.len(), 6);
+    assert_eq!([from_one[2], from_one[3], from_one[5]], [whole(3), whole(400), whole(0)]);
+    assert!(from_one[4] > from_one[3] && from_one[3] > from_one[2] + 397, "{from_one:?}");
+}
