@@ -14,12 +14,16 @@
 //! ```
 //!
 //! The largest magnitude begins at zero instead of the first element: of zero and a magnitude, which may be NaN, the helper
-//! returns the magnitude. Must not know: which statements join.
+//! returns the magnitude.
+//!
+//! Compilers compute four numbers of single precision at once where a loop only stores them, but not where it also chooses the
+//! largest: with NaN, the order decides. So four numbers or a multiple, up to [`KEPT`], have their magnitudes stored, and a second
+//! loop chooses. Must not know: which statements join.
 
 use bessemer_ir::effects::{mentions, whole};
 use bessemer_ir::visit::Walk as _;
 use bessemer_ir::{
-    Expr as Ir, ExprKind, LocalId, Routine, Scalar, Stmt as IrStmt, StmtKind as IrKind, Type,
+    Expr as Ir, ExprKind, Float, LocalId, Routine, Scalar, Stmt as IrStmt, StmtKind as IrKind, Type,
 };
 
 use super::super::literal::{self, Readers};
@@ -29,6 +33,11 @@ use super::place::shape;
 use super::routine::{At, Fused, chooser, float};
 use super::stmt::is_own;
 use crate::joined::joined;
+
+/// Numbers that vectors of most processors hold.
+const LANES: u32 = 4;
+/// Largest number of magnitudes that are stored.
+const KEPT: u32 = 32;
 
 /// Work of a pass for one statement.
 struct Part<'s> {
@@ -46,6 +55,8 @@ enum Target {
     Number(String),
     /// The largest magnitude so far.
     Largest(String),
+    /// A vector of magnitudes, and the largest of them, which a loop behind chooses.
+    Magnitudes(String, String),
 }
 
 impl Lower<'_> {
@@ -61,23 +72,57 @@ impl Lower<'_> {
             return 0;
         }
         let stmts = &stmts[..joined];
+        let operand = stmts.iter().find_map(operand).expect("a member has an operand");
+        let (scalar, rows, cols) = shape(&operand.ty);
+        let count = rows * cols;
+        let are_kept =
+            scalar == Scalar::Float(Float::F32) && count <= KEPT && count.is_multiple_of(LANES);
+        let are_kept = are_kept && stmts.iter().any(|stmt| !is_magnitude(stmt));
         let parts: Vec<Part> =
-            stmts.iter().filter_map(|stmt| self.part_of_loop(stmt, stmts)).collect();
+            stmts.iter().filter_map(|stmt| self.part_of_loop(stmt, stmts, are_kept)).collect();
         let array = parts.iter().find_map(|part| match &part.target {
             Target::Element(array) => Some(array.clone()),
             Target::Number(name) => Some(Expr::name(name)),
-            Target::Largest(_) => None,
+            Target::Largest(_) | Target::Magnitudes(..) => None,
         });
-        let operand = stmts.iter().find_map(operand).expect("a member has an operand");
-        let (_, rows, cols) = shape(&operand.ty);
-        self.few(rows * cols, parts.iter().map(|part| 1 + part.value.operations()).sum());
+        self.few(count, parts.iter().map(|part| 1 + part.value.operations()).sum());
         let array = array.unwrap_or_else(|| Expr::name(""));
-        self.count_up(rows * cols, &array, |lower, index| lower.pass(&parts, &index));
+        self.count_up(count, &array, |lower, index| lower.pass(&parts, &index));
+        self.choose(count, &array, &parts);
         joined
     }
 
+    /// Emits the loop that chooses the largest of stored magnitudes.
+    fn choose(&mut self, count: u32, array: &Expr, parts: &[Part]) {
+        let kept = |part: &Part| match &part.target {
+            Target::Magnitudes(all, largest) => Some((all.clone(), largest.clone(), part.scalar)),
+            _ => None,
+        };
+        let kept: Vec<(String, String, Scalar)> = parts.iter().filter_map(kept).collect();
+        if kept.is_empty() {
+            return;
+        }
+        self.count_up(count, array, |lower, index| {
+            for (all, largest, scalar) in &kept {
+                lower.grow(largest, *scalar, Expr::name(all).at(index.clone()));
+            }
+        });
+    }
+
+    /// Replaces the largest magnitude so far by a larger one.
+    fn grow(&mut self, largest: &str, scalar: Scalar, magnitude: Expr) {
+        let helper = chooser(Routine::Amax, float(scalar));
+        let chosen = self.helper(helper, vec![Expr::name(largest), magnitude]);
+        self.assign(Expr::name(largest), chosen);
+    }
+
     /// Declares what a statement needs before the loop; returns its work in each pass.
-    fn part_of_loop<'s>(&mut self, stmt: &'s IrStmt, all: &[IrStmt]) -> Option<Part<'s>> {
+    fn part_of_loop<'s>(
+        &mut self,
+        stmt: &'s IrStmt,
+        all: &[IrStmt],
+        are_kept: bool,
+    ) -> Option<Part<'s>> {
         self.at(stmt.span);
         let operand = operand(stmt)?;
         let (scalar, ..) = shape(&operand.ty);
@@ -87,7 +132,14 @@ impl Lower<'_> {
                 let name = self.bind(*local);
                 let zero = literal::number(float(scalar), 0, Readers::C);
                 self.declare(&value.ty, &name, Some(Init::Value(zero)), false);
-                (Target::Largest(name), magnitudes)
+                let target = if are_kept {
+                    let all = self.fresh("magnitudes");
+                    self.begin(&operand.ty, &all, &[]);
+                    Target::Magnitudes(all, name)
+                } else {
+                    Target::Largest(name)
+                };
+                (target, magnitudes)
             }
             IrKind::Let { local, .. } => {
                 let value = self.fuse_operand(operand, None);
@@ -145,10 +197,9 @@ impl Lower<'_> {
                     numbers.push(name);
                     self.declare(&Type::Scalar(part.scalar), name, Some(Init::Value(value)), true);
                 }
-                Target::Largest(name) => {
-                    let helper = chooser(Routine::Amax, float(part.scalar));
-                    let chosen = self.helper(helper, vec![Expr::name(name), value]);
-                    self.assign(Expr::name(name), chosen);
+                Target::Largest(name) => self.grow(name, part.scalar, value),
+                Target::Magnitudes(all, _) => {
+                    self.assign(Expr::name(all).at(index.clone()), value);
                 }
             }
         }
@@ -164,6 +215,11 @@ fn operand(stmt: &IrStmt) -> Option<&Ir> {
         ExprKind::Routine(Routine::Amax, operands) => operands.first(),
         _ => Some(value),
     }
+}
+
+/// Returns true for the largest magnitude of a vector.
+fn is_magnitude(stmt: &IrStmt) -> bool {
+    matches!(&stmt.kind, IrKind::Let { value: Some(value), .. } if value.ty.is_word())
 }
 
 /// Returns the number of reads and writes of a local.
