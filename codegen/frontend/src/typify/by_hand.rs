@@ -22,7 +22,6 @@ use super::items::handing;
 use super::lengths::{minus, number};
 use super::lowering::{Closure, Hand, Lowering, Way};
 use super::mentions::{mentions, takes_from_end};
-use super::scopes::Names;
 use super::single_pass::single_pass;
 use super::syntax::{generates, some_of};
 use super::value::Value;
@@ -180,7 +179,7 @@ impl<'a> Lowering<'a, '_> {
         let counted = self.closures.len();
         for of in [within, hand.again] {
             let mut closure = closure.clone();
-            closure.scope.names.push(Names::from_iter([(WITHIN.to_owned(), Value::Closure(of))]));
+            closure.scope.names.push(vec![(WITHIN.to_owned(), Value::Closure(of))]);
             self.closure(closure);
         }
         self.hands.insert(counted, Hand { again: counted + 1, within: below, ..hand });

@@ -15,7 +15,6 @@ use bessemer_ir::{
 
 use super::lowering::{Closure, Lowering, Scope, UNNAMED, Way, local_since};
 use super::rewrite::is_pure;
-use super::scopes::{Names, meaning_in};
 use super::value::Value;
 use super::words;
 use super::{Needed, Result, names, refusals, refused};
@@ -84,9 +83,7 @@ impl<'a> Lowering<'a, '_> {
     /// Returns the closure if the names in it have the same meaning here; none otherwise.
     fn text_here(&self, name: &str) -> Option<tree::Closure> {
         let closure = self.with_name(name)?;
-        let same = |name: &String| {
-            meaning_in(&closure.scope.names, name) == meaning_in(&self.scopes, name)
-        };
+        let same = |name: &String| closure.scope.names.meaning(name) == self.scopes.meaning(name);
         names_in(&closure.text).iter().all(same).then(|| closure.text.clone())
     }
 
@@ -159,11 +156,8 @@ impl<'a> Lowering<'a, '_> {
                 _ => return refused(site, refusals::SLICE_IN_CLOSURE),
             }
         }
-        let scope = Scope {
-            names: vec![captures.into_iter().collect()],
-            expanding: Vec::new(),
-            locals: None,
-        };
+        let scope =
+            Scope { names: captures.into_iter().collect(), expanding: Vec::new(), locals: None };
         Ok(Closure {
             text,
             source: self.source,
@@ -186,9 +180,7 @@ impl<'a> Lowering<'a, '_> {
             closures.iter().filter_map(|(_, closure)| closure.text.name.clone()).collect();
         given.sort();
         let span = self.span(site);
-        let all = closures
-            .iter()
-            .flat_map(|(_, closure)| closure.scope.names.iter().flat_map(Names::iter));
+        let all = closures.iter().flat_map(|(_, closure)| closure.scope.names.iter());
         let outside: Vec<(String, Place)> = all
             .filter_map(|(name, meaning)| Some((name.clone(), self.place_of(meaning, span)?)))
             .collect();
@@ -205,7 +197,7 @@ impl<'a> Lowering<'a, '_> {
         let params = inner.locals.len();
         let mut next = first as u32;
         for (param, mut closure) in closures {
-            for meaning in closure.scope.names.iter_mut().flat_map(Names::meanings_mut) {
+            for meaning in closure.scope.names.meanings_mut() {
                 match meaning {
                     Value::Local(local) => *local = LocalId(next),
                     Value::Place(place) => {
@@ -427,7 +419,8 @@ impl<'a> Lowering<'a, '_> {
     ) -> Result<T> {
         let Scope { names, expanding, locals } = &closure.scope;
         let each = each.map(|each| (tree::EACH.to_owned(), each));
-        let names = names.iter().cloned().chain([each.into_iter().collect()]).collect();
+        let mut names = names.clone();
+        names.push(each.into_iter().collect());
         let expanding = if locals.is_some() { expanding } else { &self.expanding }.clone();
         self.in_names(closure.source, Scope { names, expanding, locals: *locals }, site, lower)
     }

@@ -18,7 +18,7 @@ use super::closure_args::is_hidden;
 use super::items::handing;
 use super::lengths::{least, number};
 use super::lowering::{Closure, Lowering};
-use super::scopes::{Names, meaning_in};
+use super::scopes::Scopes;
 use super::syntax::{bare, generates};
 use super::value::Value;
 use super::{Result, refusals, refused};
@@ -398,10 +398,10 @@ fn length_of_elements<'a>(
 fn taking(
     function: &tree::Function,
     body: &tree::Block,
-    names: &[Names],
+    names: &Scopes,
     lowering: &Lowering,
 ) -> Taking {
-    let beyond = || match meaning_in(names, EACH) {
+    let beyond = || match names.meaning(EACH) {
         Some(Value::Closure(each)) => {
             let each = &lowering.closures[*each];
             match &each.text.body.kind {

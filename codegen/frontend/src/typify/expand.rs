@@ -171,7 +171,7 @@ impl<'a> Lowering<'a, '_> {
         let expanding = [&self.expanding[..], &[called]].concat();
         self.in_names(
             function,
-            Scope { names: vec![bound.into_iter().collect()], expanding, locals: None },
+            Scope { names: bound.into_iter().collect(), expanding, locals: None },
             site,
             lower,
         )

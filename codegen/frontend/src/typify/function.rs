@@ -14,7 +14,7 @@ use super::destructure::Let;
 use super::locals::Locals;
 use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since};
 use super::names::split;
-use super::scopes::{Names, meaning_in};
+use super::scopes::Scopes;
 use super::slots::{slice_of, slot_type};
 use super::syntax::control_with_value;
 use super::value::Value;
@@ -122,7 +122,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             cx,
             source,
             locals: Locals::default(),
-            scopes: vec![Names::default()],
+            scopes: Scopes::default(),
             out: Vec::new(),
             naming: UNNAMED.into(),
             result,
@@ -285,13 +285,11 @@ impl Lowering<'_, '_> {
     }
 
     pub(super) fn bind(&mut self, name: &str, binding: Value) {
-        if let Some(scope) = self.scopes.last_mut() {
-            scope.add_name(name.to_owned(), binding);
-        }
+        self.scopes.add_name(name.to_owned(), binding);
     }
 
     pub(super) fn lookup(&self, name: &str, site: Site) -> Result<Value> {
-        match meaning_in(&self.scopes, name) {
+        match self.scopes.meaning(name) {
             Some(meaning) => Ok(meaning.clone()),
             None => problem(site, format!("`{name}` is not known here"), super::OUR_FAULT),
         }
@@ -316,7 +314,7 @@ impl Lowering<'_, '_> {
         &mut self,
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
-        self.scopes.push(Names::default());
+        self.scopes.push(Vec::new());
         let done = lower(self);
         self.scopes.pop();
         done
@@ -335,7 +333,7 @@ impl Lowering<'_, '_> {
 
     /// Lowers in a new scope, into a new block.
     pub(super) fn scoped(&mut self, lower: impl FnOnce(&mut Self) -> Result<()>) -> Result<Block> {
-        self.scopes.push(Names::default());
+        self.scopes.push(Vec::new());
         let done = self.in_block(lower);
         self.scopes.pop();
         done.map(|((), inner)| Block(inner))

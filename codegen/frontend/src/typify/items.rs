@@ -16,7 +16,6 @@ use bessemer_ir::{Place, Type};
 
 use super::closure_args::is_hidden;
 use super::lowering::Lowering;
-use super::scopes::meaning_in;
 use super::slots::result_of;
 use super::syntax::generates;
 use super::value::Value;
@@ -133,7 +132,7 @@ impl<'a> Lowering<'a, '_> {
         let mut closure = (*self.closures[known]).clone();
         let mut copies = Vec::new();
         for name in closure.text.body.locals() {
-            let copy = match meaning_in(&closure.scope.names, &name) {
+            let copy = match closure.scope.names.meaning(&name) {
                 Some(Value::Place(own)) if is_hidden(&name) && self.cx.holds_iterator(&own.ty) => {
                     Value::Place(copied(self, &own.clone()))
                 }
@@ -154,7 +153,7 @@ impl<'a> Lowering<'a, '_> {
         if copies.is_empty() {
             return known;
         }
-        closure.scope.names.push(copies.into_iter().collect());
+        closure.scope.names.push(copies);
         self.closure(closure)
     }
 

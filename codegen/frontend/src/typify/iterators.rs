@@ -13,7 +13,6 @@ use super::by_hand::{is_next, taking_next};
 use super::closure_args::is_hidden;
 use super::each::Each;
 use super::lowering::{Lowering, local_since};
-use super::scopes::Names;
 use super::seq::pair;
 use super::slots::result_of;
 use super::syntax::bare;
@@ -238,7 +237,7 @@ impl Lowering<'_, '_> {
     /// Binds an iterator to a name, and returns the call that yields its next item.
     fn next_item(&mut self, callee: u32, of: &tree::Expr, site: Site) -> Result<tree::Expr> {
         let place = self.own_iterator(of)?;
-        let known: usize = self.scopes.iter().map(Names::len).sum();
+        let known = self.scopes.len();
         let name = format!("iterator%{known}");
         self.bind(&name, Value::Place(place));
         Ok(tree::Expr::plain(calling(callee, tree::Expr::local(&name, site)), site))

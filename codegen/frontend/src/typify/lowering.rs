@@ -12,7 +12,7 @@ use bessemer_ir::{LocalId, Place, Span, Step, Stmt, Type};
 use super::Context;
 use super::borrowed::Lenders;
 use super::locals::Locals;
-use super::scopes::{Names, meanings_in};
+use super::scopes::Scopes;
 use super::value::Value;
 
 /// Name of temporaries if nothing else provides one.
@@ -26,7 +26,7 @@ pub(super) struct Lowering<'a, 'c> {
     pub source: &'a tree::Function,
     pub locals: Locals,
     /// Scopes with the meaning of each name, innermost last. In a scope, later bindings shadow earlier ones.
-    pub scopes: Vec<Names>,
+    pub scopes: Scopes,
     /// Statements of the current block so far.
     pub out: Vec<Stmt>,
     /// First part of the names of temporaries.
@@ -103,7 +103,7 @@ impl<'a> Lowering<'a, '_> {
 
     /// Returns the closure that a name denotes, even if another meaning shadows it.
     pub(super) fn closure_named(&self, name: &str) -> Option<usize> {
-        meanings_in(&self.scopes, name).find_map(|meaning| match meaning {
+        self.scopes.meanings(name).find_map(|meaning| match meaning {
             Value::Closure(closure) => Some(*closure),
             _ => None,
         })
@@ -215,7 +215,7 @@ pub(super) struct Closure<'a> {
 /// Meaning of the names in a closure.
 #[derive(Clone)]
 pub(super) struct Scope<'a> {
-    pub names: Vec<Names>,
+    pub names: Scopes,
     /// Functions that were being inlined at its definition, as in [`Lowering::expanding`].
     pub expanding: Vec<(&'a str, Span)>,
     /// Number of locals at its definition. None in a copy of a function for this closure, where its names denote

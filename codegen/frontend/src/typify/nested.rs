@@ -19,7 +19,7 @@ use bessemer_ir::{Expr, LocalId, Type};
 
 use super::by_hand::{Change, begun_of};
 use super::lowering::{Closure, Lowering, Nested, Way};
-use super::scopes::{Names, meaning_in};
+use super::scopes::Names;
 use super::syntax::bare;
 use super::value::Value;
 use super::{Result, refusals, refused};
@@ -49,7 +49,7 @@ pub(super) fn nested<'a>(
     site: Site,
 ) -> Result<Option<usize>> {
     let Some(items) = function.tree.params.iter().find(|it| it.items) else { return Ok(None) };
-    let Some(&Value::Closure(of)) = meaning_in(&own.scope.names, &items.name) else {
+    let Some(&Value::Closure(of)) = own.scope.names.meaning(&items.name) else {
         return Ok(None);
     };
     let number = lowering.closures.len();
@@ -63,7 +63,7 @@ pub(super) fn nested<'a>(
         return Ok(None);
     }
     for param in function.tree.params.iter().filter(|it| it.closure && it.name != EACH) {
-        let Some(&Value::Closure(made)) = meaning_in(&own.scope.names, &param.name) else {
+        let Some(&Value::Closure(made)) = own.scope.names.meaning(&param.name) else {
             continue;
         };
         let made = (*lowering.closures[made]).clone();
@@ -84,8 +84,7 @@ pub(super) fn nested<'a>(
     let mut local = |role: &str| lowering.let_local(format!("{name}_{role}"), none.clone()).root;
     let locals = [local("taken"), local("begun"), local("part")];
     let kept = [finished, begun, parts];
-    let below = kept.iter().cloned().zip(locals.map(Value::Local));
-    let below = Names::from_iter(below);
+    let below: Names = kept.iter().cloned().zip(locals.map(Value::Local)).collect();
     let over = |lowering: &mut Lowering<'a, '_>, own: &mut Closure<'a>, text: tree::Expr| {
         let mut outer = Closure { way: Way::Forward, ..outer.clone() };
         *outer.text.body = text;
@@ -93,7 +92,7 @@ pub(super) fn nested<'a>(
         let outer = lowering.closure(outer);
         own.way = Way::Forward;
         own.scope.names.push(below.clone());
-        own.scope.names.push(Names::from_iter([(items.name.clone(), Value::Closure(outer))]));
+        own.scope.names.push(vec![(items.name.clone(), Value::Closure(outer))]);
     };
     over(lowering, &mut own, text);
     let passes = passes(whole).map(|mut passes| {
@@ -179,16 +178,16 @@ pub(super) fn with_copies<'a>(
     lowering: &mut Lowering<'a, '_>,
     all: &mut [Closure<'a>],
     nested: &Nested,
-    copies: &Names,
+    copies: &[(String, Value)],
 ) -> Option<Nested> {
-    let &Value::Closure(below) = meaning_in(&all.first()?.scope.names, &nested.items)? else {
+    let &Value::Closure(below) = all.first()?.scope.names.meaning(&nested.items)? else {
         return None;
     };
     let mut below = (*lowering.closures[below]).clone();
-    below.scope.names.push(copies.clone());
+    below.scope.names.push(copies.to_vec());
     let below = Value::Closure(lowering.closure(below));
     for closure in all {
-        closure.scope.names.push(Names::from_iter([(nested.items.clone(), below.clone())]));
+        closure.scope.names.push(vec![(nested.items.clone(), below.clone())]);
     }
     let counts = [FINISHED, OF_ITEM].map(|of| {
         copies.iter().find_map(|(name, copy)| match copy {

@@ -17,7 +17,7 @@ use super::generator::{NUMBER, going};
 use super::items::{copied, handing};
 use super::lowering::{Closure, Hand, Lowering, Way};
 use super::nested::{nested, with_copies};
-use super::scopes::{Names, meaning_in};
+use super::scopes::Scopes;
 use super::seq::pair;
 use super::syntax::{generates, is_of_library};
 use super::value::Value;
@@ -59,7 +59,7 @@ fn pulled<'a>(
     let (mut kept, mut within): (Vec<_>, Vec<_>) = (declared.collect(), Vec::new());
     let mut interrupted = None;
     for (at, param) in function.tree.params.iter().filter(|it| it.items).enumerate() {
-        let may_go_on = match meaning_in(&own.scope.names, &param.name) {
+        let may_go_on = match own.scope.names.meaning(&param.name) {
             Some(&Value::Closure(of)) => {
                 let may_go_on = !stays_ended(lowering, of);
                 within.push((param.name.clone(), lowering.counted(name, of, site)?));
@@ -128,8 +128,8 @@ fn stateful<'a>(
     kept: Vec<String>,
     within: Vec<(String, usize)>,
 ) -> (usize, usize) {
-    let below =
-        Names::from_iter(within.iter().map(|(name, of)| (name.clone(), Value::Closure(*of))));
+    let below: Vec<_> =
+        within.iter().map(|(name, of)| (name.clone(), Value::Closure(*of))).collect();
     both.iter_mut().for_each(|closure| closure.scope.names.push(below.clone()));
     let (counted, again) = lowering.hand(both, taken, local, kept);
     if let Some(hand) = lowering.hands.get_mut(&counted) {
@@ -160,7 +160,7 @@ fn two_ended(lowering: &mut Lowering, name: &str, known: usize, site: Site) -> R
         Ok(Some(([counted, again, back], local)))
     })?;
     let (texts, local) = counted.or_refused(site, refusals::BOTH_ENDS)?;
-    through.scope.names.push(Names::from_iter([(end.clone(), Value::Local(local))]));
+    through.scope.names.push(vec![(end.clone(), Value::Local(local))]);
     let closures = texts.map(|body| {
         let mut closure = through.clone();
         closure.text.body = body;
@@ -179,7 +179,7 @@ fn from_both_ends<'a>(
     (end, kept): (LocalId, Vec<String>),
 ) -> (usize, usize) {
     back.way = Way::Back;
-    back.scope.names.push(Names::from_iter([(taken.clone(), Value::Local(start))]));
+    back.scope.names.push(vec![(taken.clone(), Value::Local(start))]);
     let back = lowering.closure(back);
     let (counted, again) = lowering.hand([counted, again], Some(taken), start, kept);
     if let Some(hand) = lowering.hands.get_mut(&counted) {
@@ -230,7 +230,7 @@ impl<'a> Lowering<'a, '_> {
         let (taken, mut local, kept) = (hand.taken, hand.local, hand.kept);
         let (mut end, mut copies) = (None, Vec::new());
         for name in &kept {
-            let copy = match meaning_in(&all[0].scope.names, name) {
+            let copy = match all[0].scope.names.meaning(name) {
                 Some(&Value::Local(of)) => {
                     let Local { name: own, ty, span, .. } = self.locals[of.index()].clone();
                     let copy = self.let_local(own, Expr::local(of, &ty, span)).root;
@@ -246,7 +246,6 @@ impl<'a> Lowering<'a, '_> {
             };
             copies.push((name.clone(), copy));
         }
-        let copies = Names::from_iter(copies);
         all.iter_mut().for_each(|closure| closure.scope.names.push(copies.clone()));
         let nested = hand.nested.and_then(|it| with_copies(self, &mut all, &it, &copies));
         if taken.is_some() {
@@ -282,7 +281,7 @@ fn copy_within<'a>(
     let Some(hand) = lowering.hands.get(&within).cloned() else { return within };
     let counted = lowering.closures.len();
     for (closure, of) in both.iter_mut().zip([within, hand.again]) {
-        closure.scope.names.push(Names::from_iter([(name.to_owned(), Value::Closure(of))]));
+        closure.scope.names.push(vec![(name.to_owned(), Value::Closure(of))]);
         lowering.closure(closure.clone());
     }
     let within = vec![(name.to_owned(), within)];
@@ -366,11 +365,11 @@ fn with_count_behind(text: &mut tree::Expr, interrupted: Option<Interrupted>) {
 /// Returns a local of an iterator's state.
 fn some_local(
     lowering: &Lowering,
-    names: &[Names],
+    names: &Scopes,
     kept: &[String],
     within: &[(String, usize)],
 ) -> LocalId {
-    let own = kept.iter().find_map(|name| match meaning_in(names, name) {
+    let own = kept.iter().find_map(|name| match names.meaning(name) {
         Some(Value::Local(local)) => Some(*local),
         Some(Value::Place(place)) => Some(place.root),
         _ => None,

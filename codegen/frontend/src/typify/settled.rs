@@ -11,7 +11,6 @@ use bessemer_ir::{CompareOp, Expr, Fault, Int, Mode, Scalar, Type};
 use super::Result;
 use super::closure_args::is_hidden;
 use super::lowering::{Closure, Lowering};
-use super::scopes::Names;
 use super::syntax::{bare, generates, is_named, is_of_library};
 use super::value::Value;
 
@@ -239,7 +238,7 @@ impl<'a> Lowering<'a, '_> {
 
     /// Replaces an expression by a new unique name for `given`.
     pub(super) fn stand_in(&mut self, expr: &mut tree::Expr, name: &str, given: Value) {
-        let known: usize = self.scopes.iter().map(Names::len).sum();
+        let known = self.scopes.len();
         let name = format!("{name}{known}");
         self.bind(&name, given);
         *expr = tree::Expr::local(&name, expr.site);
