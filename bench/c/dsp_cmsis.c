@@ -47,6 +47,30 @@ ALONE static void clarke_park_at(float a, float b, float angle, float out[2])
     clarke_park(a, b, arm_sin_f32(angle), arm_cos_f32(angle), out);
 }
 
+typedef struct {
+    arm_pid_instance_f32 direct;
+    arm_pid_instance_f32 quadrature;
+} currents_t;
+
+#define GAINS {.A0 = 1.5f, .A1 = -2.0f, .A2 = 0.75f}
+static currents_t currents[2] = {{GAINS, GAINS}, {GAINS, GAINS}};
+
+ALONE static void currents_step(
+    currents_t *it, const float wanted[2], float a, float b, float angle, float out[3])
+{
+    const float sine = arm_sin_f32(angle);
+    const float cosine = arm_cos_f32(angle);
+    float current[2];
+    transformed(a, b, sine, cosine, current);
+    const float d = arm_pid_f32(&it->direct, wanted[0] - current[0]);
+    const float q = arm_pid_f32(&it->quadrature, wanted[1] - current[1]);
+    float alpha = 0.0f;
+    float beta = 0.0f;
+    arm_inv_park_f32(d, q, &alpha, &beta, sine, cosine);
+    arm_inv_clarke_f32(alpha, beta, &out[0], &out[1]);
+    out[2] = -out[0] - out[1];
+}
+
 /* Functions inlined in their caller, which has every argument in a register. */
 static void __attribute__((noinline)) run_inlined_step(void)
 {
@@ -170,6 +194,16 @@ void run_jobs(void)
     clarke_park_at(0.5f, -0.25f, 0.7f, output);
     bench_end();
     report(output, 2);
+
+    const float wanted[2] = {0.25f, 1.5f};
+    bench_begin();
+    currents_step(&currents[0], wanted, 0.5f, -0.25f, 0.7f, output);
+    bench_end();
+    report(output, 3);
+    bench_begin();
+    currents_step(&currents[1], wanted, 0.5f, -0.25f, 0.7f, output);
+    bench_end();
+    report(output, 3);
 
     bench_begin();
     const float sine = arm_sin_f32(0.7f);

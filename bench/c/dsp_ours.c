@@ -4,6 +4,7 @@
 #include "dsp_inputs.h"
 
 #include "bessemer_inline.h"
+#include "currents.h"
 #include "direct_cascade.h"
 #include "fir.h"
 #include "models.h"
@@ -13,6 +14,8 @@
 #include <string.h>
 
 static regulator_t pid;
+static currents_t currents;
+static currents_t fast_currents;
 static memory_t inlined;
 static const gains_t gains = {1.5f, -2.0f, 0.75f};
 static section_t sections[SECTIONS];
@@ -169,6 +172,15 @@ void run_jobs(void)
     models_clarke_park_fast(0.5f, -0.25f, 0.7f, output);
     bench_end();
     report(output, 2);
+    const float wanted[2] = {0.25f, 1.5f};
+    bench_begin();
+    currents_step(&currents, &gains, wanted, 0.5f, -0.25f, 0.7f, output);
+    bench_end();
+    report(output, 3);
+    bench_begin();
+    currents_step_fast(&fast_currents, &gains, wanted, 0.5f, -0.25f, 0.7f, output);
+    bench_end();
+    report(output, 3);
 
     bench_begin();
     const float sine = models_sine(0.7f);

@@ -200,6 +200,61 @@ pub fn clarke_park_at(a: f32, b: f32, angle: f32) -> Vector2<f32> {
     transformed(a, b, sine, cosine)
 }
 
+/// Controllers of the two currents of a motor, in the rotor's frame.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Currents {
+    pub direct: Memory,
+    pub quadrature: Memory,
+}
+
+#[component]
+impl Currents {
+    /// Advances one period: from two phase currents and the rotor's angle to the voltages of three phases.
+    #[entry(infallible)]
+    pub fn step(
+        &mut self,
+        gains: &Gains,
+        wanted: &Vector2<f32>,
+        a: f32,
+        b: f32,
+        angle: f32,
+    ) -> Vector3<f32> {
+        let (sine, cosine) = angle.sin_cos();
+        self.advance(gains, wanted, &transformed(a, b, sine, cosine), [sine, cosine])
+    }
+
+    /// As [`step`](Self::step), by the fast sine and cosine.
+    #[entry(infallible)]
+    pub fn step_fast(
+        &mut self,
+        gains: &Gains,
+        wanted: &Vector2<f32>,
+        a: f32,
+        b: f32,
+        angle: f32,
+    ) -> Vector3<f32> {
+        let (sine, cosine) = bessemer::fast::sin_cos(angle);
+        self.advance(gains, wanted, &transformed(a, b, sine, cosine), [sine, cosine])
+    }
+
+    fn advance(
+        &mut self,
+        gains: &Gains,
+        wanted: &Vector2<f32>,
+        current: &Vector2<f32>,
+        [sine, cosine]: [f32; 2],
+    ) -> Vector3<f32> {
+        let direct = self.direct.advance(gains, wanted.x - current.x);
+        let quadrature = self.quadrature.advance(gains, wanted.y - current.y);
+        let alpha = direct * cosine - quadrature * sine;
+        let beta = direct * sine + quadrature * cosine;
+        let half = -0.5 * alpha;
+        let rest = 0.866_025_4 * beta;
+        Vector3::new(alpha, half + rest, half - rest)
+    }
+}
+
 /// A sine.
 #[function]
 pub fn sine(angle: f32) -> f32 {

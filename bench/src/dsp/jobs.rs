@@ -51,6 +51,8 @@ pub const JOBS: &[Job] = &[
     job("Clarke's and Park's transforms, inlined in their caller", "transformed", 2, 9),
     job("transforms with sine and cosine", "clarke_park_at", 2, 66),
     job("transforms with those of `bessemer::fast`", "clarke_park_fast", 2, 66),
+    job("current loop of a motor", "Currents::step", 3, 130),
+    job("current loop by `bessemer::fast`", "Currents::step_fast", 3, 130),
     job("sine", "sine", 1, 53),
     job("sine of `bessemer::fast`", "sine_fast", 1, 33),
     job("angle of a point", "angle", 1, 125),
