@@ -13,6 +13,7 @@ use bessemer_ir::{
     Scalar, Span, Step, Stmt, StmtKind, Type,
 };
 
+use crate::deep::deep;
 use passes::Known;
 pub use passes::Source;
 pub use weights::{Class, Cost, PROCESSORS, WEIGHTS};
@@ -39,6 +40,10 @@ pub struct Loop {
 
 /// Returns the estimate of each function of a module in explicit IR, in its order.
 pub fn estimates(module: &Module) -> Vec<Estimate> {
+    deep(|| of_functions(module))
+}
+
+fn of_functions(module: &Module) -> Vec<Estimate> {
     let mut estimates: Vec<Estimate> = Vec::new();
     for function in &module.functions {
         let mut counter = Counter {
