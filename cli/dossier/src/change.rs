@@ -134,9 +134,8 @@ pub fn change(since: &str, before: &Version<'_>, now: &Version<'_>, items: &[Ite
     };
     let touched: BTreeSet<&String> =
         items.iter().filter(of_parts).flat_map(|it| &it.requirements).collect();
-    let manifest = entries;
-    let components: BTreeSet<&str> =
-        found.entries.iter().filter_map(|it| manifest.get(it)?["component"].as_str()).collect();
+    let component = |entry: &String| entries.get(entry)?["component"].as_str();
+    let components: BTreeSet<&str> = found.entries.iter().filter_map(component).collect();
     let again = |it: &&Item| {
         it.is_test
             && (it.requirements.iter().any(|id| touched.contains(id))

@@ -6,6 +6,8 @@
 //! Most of a bound is such calls: subnormal numbers where the processor has no double precision, large angles in front of
 //! a remainder, states that an aircraft reaches after minutes.
 
+use std::rc::Rc;
+
 use bessemer_legs::longest::Numbers;
 
 use crate::error::Error;
@@ -28,7 +30,7 @@ const MOST: usize = 2 << 20;
 #[derive(Clone)]
 struct Peak {
     /// Calls that are not changed, from the initial state; some may be of other functions.
-    before: Vec<Life>,
+    before: Rc<[Life]>,
     /// Calls that may be changed; the last one is the long one.
     life: Life,
     /// Instructions of the last call.
@@ -36,9 +38,9 @@ struct Peak {
 }
 
 impl Peak {
-    fn of(before: &[Life], mut life: Life, longest: LongestCall) -> Peak {
+    fn of(before: Rc<[Life]>, mut life: Life, longest: LongestCall) -> Peak {
         life.calls.truncate(longest.at + 1);
-        Peak { before: before.to_vec(), life, instructions: longest.instructions }
+        Peak { before, life, instructions: longest.instructions }
     }
 
     /// Returns the same calls, of which the last one may be changed.
@@ -48,7 +50,7 @@ impl Peak {
         let target = self.life.target;
         let earlier = std::mem::replace(&mut self.life, Life { target, calls: last });
         if !earlier.calls.is_empty() {
-            self.before.push(earlier);
+            self.before = self.before.iter().cloned().chain([earlier]).collect();
         }
         self
     }
@@ -78,7 +80,7 @@ impl Peaks {
         {
             return;
         }
-        peaks.push(Peak::of(before, life.clone(), longest));
+        peaks.push(Peak::of(before.into(), life.clone(), longest));
         peaks.sort_by_key(|it| std::cmp::Reverse(it.instructions));
         peaks.truncate(BEGINNINGS);
     }
@@ -141,10 +143,11 @@ impl Ascent<'_, '_> {
     }
 
     /// Counts lives, and cuts each behind its longest call.
-    fn count(&mut self, before: &[Life], lives: Vec<Life>) -> Result<Vec<Peak>, Error> {
+    fn count(&mut self, before: &Rc<[Life]>, lives: Vec<Life>) -> Result<Vec<Peak>, Error> {
         let found = self.counter.count_after(before, &lives)?;
         let longest = found.into_iter().map(|it| it.of(self.numbers));
-        Ok(longest.zip(lives).map(|(longest, life)| Peak::of(before, life, longest)).collect())
+        let of = |(longest, life)| Peak::of(Rc::clone(before), life, longest);
+        Ok(longest.zip(lives).map(of).collect())
     }
 
     /// Returns a life with fewer calls before the longest one, which takes almost as long.

@@ -146,17 +146,12 @@ impl Reader<'_> {
 
 /// Returns the names in some tokens; those in the arguments of macros, too.
 fn words(tokens: TokenStream) -> BTreeSet<String> {
-    let mut words = BTreeSet::new();
-    for token in tokens {
-        match token {
-            TokenTree::Ident(name) => {
-                words.insert(name.to_string());
-            }
-            TokenTree::Group(group) => words.extend(self::words(group.stream())),
-            _ => {}
-        }
-    }
-    words
+    let of = |token| match token {
+        TokenTree::Ident(name) => BTreeSet::from([name.to_string()]),
+        TokenTree::Group(group) => words(group.stream()),
+        _ => BTreeSet::new(),
+    };
+    tokens.into_iter().flat_map(of).collect()
 }
 
 impl<'ast> Visit<'ast> for Reader<'_> {
