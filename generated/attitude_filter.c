@@ -76,7 +76,7 @@ bool attitude_filter_correct(attitude_filter_t *BESSEMER_RESTRICT self, uint64_t
 
 /**
  * Returns the state after one period, s. The covariance becomes the covariance of its errors.
- * `next` may lie in `state`, which is read before it is written.
+ * `next` may be `state`: nothing is read after it is written.
  */
 static void attitude_filter_predicted(const double state[6], const double measured[3],
     double period, symmetric_f64_6_t *BESSEMER_RESTRICT covariance, double next[6])

@@ -66,7 +66,7 @@ bool axis_filter_correct(axis_filter_t *BESSEMER_RESTRICT self, const double row
 
 /**
  * Returns the state after one period, s. The covariance becomes the covariance of its errors.
- * `next` may lie in `state`, which is read before it is written.
+ * `next` may be `state`: nothing is read after it is written.
  */
 static void axis_filter_predicted(const double state[3], double acceleration, double period,
     symmetric_f64_3_t *BESSEMER_RESTRICT covariance, double next[3])

@@ -33,7 +33,7 @@ pub(crate) fn early(function: &Function, fallible: bool) -> Early {
     let (1, Some(StmtKind::Return(Some(value))), false) = (returns, last, fallible) else {
         return none;
     };
-    // Where the result is made, and what follows.
+    // `value` makes the result; the statements of `rest` follow it.
     let (value, rest) = match &value.kind {
         ExprKind::Load(place) if place.steps.is_empty() => {
             let declared = stmts.iter().enumerate().find_map(|(at, stmt)| match &stmt.kind {

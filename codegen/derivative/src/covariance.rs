@@ -74,7 +74,7 @@ impl Run<'_> {
             needed.extend(columns.filter(|it| group.contains(it)).map(|column| (row, *column)));
         }
         let mut own: BTreeMap<(usize, usize), Expr> = BTreeMap::new();
-        // What mirrors an earlier column must not be read in the group's own columns.
+        // The loop must not read, in the group's own columns, an element that mirrors an earlier column.
         let is_behind = |column: &usize| group.contains(column) || Some(column) > group.last();
         let is_dense = needed.len() == group.len() * group.len()
             && group.windows(2).all(|pair| pair[0] + 1 == pair[1])

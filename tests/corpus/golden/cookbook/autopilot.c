@@ -164,7 +164,7 @@ void autopilot_advanced(const double state[24], const imu_t *imu, double period,
 
 /**
  * The state after one period; `covariance` becomes the covariance of its errors.
- * `result` may lie in `state`, which is read before it is written.
+ * `result` may be `state`: nothing is read after it is written.
  */
 static void autopilot_predicted(const double state[24], const imu_t *imu, double period,
     symmetric_f64_24_t *BESSEMER_RESTRICT covariance, double result[24])

@@ -43,7 +43,7 @@ void navigation_advanced(const double state[12], const inertial_t *inertial, dou
 
 /**
  * The state after one period; `covariance` becomes the covariance of its errors.
- * `result` may lie in `state`, which is read before it is written.
+ * `result` may be `state`: nothing is read after it is written.
  */
 static void navigation_predicted(const double state[12], const inertial_t *inertial, double period,
     symmetric_f64_12_t *BESSEMER_RESTRICT covariance, double result[12])

@@ -87,12 +87,17 @@ fn in_place(context: Context<'_>, unproved: &BTreeSet<Pair>) -> BTreeMap<String,
             unproved.contains(&pair(last, *at)) || unproved.contains(&pair(*at, last))
         };
         let one = (0..function.params as usize).filter(|at| early.has(*at) && called(at));
-        let names: Vec<String> = one.map(|at| format!("`{}`", params[at].name)).collect();
-        if !names.is_empty() {
-            let or = names.join(" or ");
+        // A place of the same type is the whole one: at another address, an element would be read too late.
+        let may = |at: usize| match function.locals[at].ty == function.result {
+            true => format!("be `{}`", params[at].name),
+            false => format!("lie in `{}`", params[at].name),
+        };
+        let places: Vec<String> = one.map(may).collect();
+        if !places.is_empty() {
+            let (name, or) = (&result.name, places.join(" or "));
             said.insert(
                 signature.name.clone(),
-                format!("`{}` may lie in {or}, which is read before it is written.", result.name),
+                format!("`{name}` may {or}: nothing is read after it is written."),
             );
         }
     }
