@@ -139,6 +139,7 @@ impl Airframe {
     /// Rows: thrust along the body's z; torques about its x (forward), y (left) and z, by the right-hand rule.
     /// Columns: motors, from the forward direction on towards the left. A motor of spin 1 turns the body from x
     /// towards y.
+    #[requirement("HLR-11")]
     pub fn effectiveness(&self) -> SMatrix<f64, 4, MAX_MOTORS> {
         let thrust = self.thrust_factors();
         let drag = self.drag_factors();
@@ -160,6 +161,7 @@ impl Airframe {
     /// The arms share the thrust evenly, and each torque in proportion to their leverage. It is the
     /// inverse of least squares where the motors are equal; where each has its own coefficients, thrust,
     /// roll and pitch stay exact.
+    #[requirement("HLR-11")]
     pub fn allocation(&self) -> SMatrix<f64, MAX_MOTORS, 4> {
         let thrust = self.thrust_factors();
         let drag = self.drag_factors();

@@ -6,6 +6,7 @@ use crate::parameters::Parameters;
 use bessemer::prelude::*;
 
 /// Largest integral of the error of an angle, rad·s: at the Mambo's gain as much torque as 0.5 rad.
+#[requirement("HLR-05")]
 #[data]
 const INTEGRAL_LIMIT: f64 = 0.5;
 
@@ -21,6 +22,7 @@ pub struct Attitude {
 impl Attitude {
     /// Advances one control period and returns the torques about the axes of roll, pitch and yaw, N·m. On the ground
     /// the integrals are frozen.
+    #[requirement("HLR-04", "HLR-05")]
     #[entry(infallible)]
     pub fn step(
         &mut self,

@@ -40,6 +40,7 @@ impl AttitudeFilter {
 
     /// Predicts one period, s, from the measured rates, rad/s, with standard deviation `noise`, rad/s, and bias drift
     /// `drift`, rad/s in a second.
+    #[requirement("HLR-26")]
     pub fn predict(&mut self, measured: &Vector3<f64>, period: f64, noise: f64, drift: f64) {
         self.state = predicted(&self.state, measured, period, &mut self.covariance);
         let turn = noise * period;
@@ -53,6 +54,7 @@ impl AttitudeFilter {
     /// Corrects the state by a measurement of the angle at an index: `innovation` is measured minus estimated.
     /// The measurement is rejected, and nothing changes, if the innovation exceeds `gate` standard deviations or is not
     /// a number. The `considered` parts of the state never change.
+    #[requirement("HLR-20")]
     pub fn correct(
         &mut self,
         angle: usize,

@@ -37,6 +37,7 @@ impl AxisFilter {
 
     /// Predicts one period, s, from a measured acceleration, m/s², with standard deviation `noise`, m/s², and bias
     /// drift `drift`, m/s² in a second.
+    #[requirement("HLR-26")]
     pub fn predict(&mut self, acceleration: f64, period: f64, noise: f64, drift: f64) {
         self.state = predicted(&self.state, acceleration, period, &mut self.covariance);
         let push = noise * period;
@@ -54,6 +55,7 @@ impl AxisFilter {
 
     /// Corrects the state by a measurement of `row` · state with the passed variance. The measurement is rejected, and
     /// nothing changes, if the innovation exceeds `gate` standard deviations or is not a number.
+    #[requirement("HLR-20")]
     pub fn correct(&mut self, row: &Vector3<f64>, measured: f64, variance: f64, gate: f64) -> bool {
         let innovation = measured - row.dot(&self.state);
         let report =

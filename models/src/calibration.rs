@@ -6,6 +6,7 @@
 use bessemer::prelude::*;
 
 /// Largest count of a 16-bit sensor: a reading of this count is saturated.
+#[requirement("HLR-21")]
 #[data]
 const FULL_SCALE: i16 = 32767;
 
@@ -122,6 +123,7 @@ impl Calibration {
     }
 
     /// Converts the readings of one period to physical units.
+    #[requirement("HLR-21")]
     pub fn measured(&self, readings: &Readings) -> Measured {
         let inertial = readings.inertial;
         let flow = readings.flow;
@@ -156,6 +158,7 @@ fn within(counts: &[i16; 3]) -> bool {
 }
 
 /// Returns true if a count is not saturated.
+#[requirement("HLR-21")]
 #[function]
 fn inside(count: i16) -> bool {
     count < FULL_SCALE && count > -FULL_SCALE

@@ -24,6 +24,7 @@ pub struct Cascade {
 #[component]
 impl Cascade {
     /// Advances one control period and returns the commanded thrust and torques.
+    #[requirement("HLR-04", "HLR-06", "HLR-07", "HLR-08")]
     #[entry(infallible)]
     pub fn step(
         &mut self,

@@ -6,6 +6,7 @@
 use bessemer::prelude::*;
 
 /// Number of consecutive wrong clock steps that raises the alarm.
+#[requirement("HLR-39")]
 #[data]
 const WRONG_STEPS_LIMIT: u32 = 20;
 
@@ -26,6 +27,7 @@ pub struct ClockMonitor {
 #[component]
 impl ClockMonitor {
     /// Checks the clock's `time`, µs, after one period, s; returns false if the clock is unreliable.
+    #[requirement("HLR-39")]
     #[entry(infallible)]
     pub fn step(&mut self, period: f64, time: u64) -> bool {
         let forward = time > self.last && (time.wrapping_sub(self.last) as f64) < 3e6 * period;

@@ -26,6 +26,7 @@ pub struct Controller {
 #[component]
 impl Controller {
     /// Advances one control period and returns the command to each motor, added to the feed-forward speeds, rad/s.
+    #[requirement("HLR-06", "HLR-07", "HLR-15")]
     #[entry(infallible)]
     pub fn step(
         &mut self,

@@ -10,10 +10,12 @@ use crate::signals::Estimate;
 use bessemer::prelude::*;
 
 /// Number of consecutive periods in which a limit must be exceeded before the alarm is raised.
+#[requirement("HLR-35")]
 #[data]
 const CONFIRMATION_PERIODS: u32 = 3;
 
 /// Height below which an aircraft without attitude information continues its landing, m.
+#[requirement("HLR-25")]
 #[data]
 const LANDING_HEIGHT: f64 = 0.2;
 
@@ -75,6 +77,7 @@ pub struct Limits {
 #[data]
 impl Limits {
     /// Limits for flights in a room.
+    #[requirement("HLR-35", "HLR-36")]
     pub fn room() -> Limits {
         Limits {
             tilt: 0.9,
@@ -105,6 +108,7 @@ pub struct CrashPredictor {
 impl CrashPredictor {
     /// Checks the limits for one period and returns the alarm. Only a flying aircraft is checked. `orientation` is the
     /// estimated one, `climb` the vertical acceleration, m/s².
+    #[requirement("HLR-35", "HLR-37", "HLR-38")]
     #[entry(infallible)]
     pub fn step(
         &mut self,
@@ -129,6 +133,7 @@ impl CrashPredictor {
     }
 
     /// Raises an alarm that does not depend on the state.
+    #[requirement("HLR-37")]
     #[entry(infallible)]
     pub fn raise(&mut self, alarm: Alarm) {
         if self.alarm == Alarm::Clear {
@@ -137,6 +142,7 @@ impl CrashPredictor {
     }
 
     /// Returns the limit that is exceeded now or within the horizon.
+    #[requirement("HLR-25", "HLR-35", "HLR-37")]
     fn find(
         limits: &Limits,
         now: &Estimate,
@@ -179,6 +185,7 @@ impl CrashPredictor {
     }
 
     /// Returns the limit of speed or position that is exceeded now or within the horizon.
+    #[requirement("HLR-35", "HLR-36")]
     fn find_in_motion(
         limits: &Limits,
         now: &Estimate,

@@ -36,6 +36,7 @@ const GYRO_LOST_RESET_TIMEOUT: f64 = 0.1;
 
 /// Lowest estimated height below the ground, m. It exceeds the drift of dead reckoning over the seconds in which no
 /// sensor measures the height.
+#[requirement("HLR-21")]
 #[data]
 const LOWEST_DEPTH: f64 = 0.15;
 
@@ -44,6 +45,7 @@ const LOWEST_DEPTH: f64 = 0.15;
 const GROUND_CONTACT_HEIGHT: f64 = 0.05;
 
 /// After this time without gyroscope data, s, predicted rates are used.
+#[requirement("HLR-24")]
 #[data]
 const GYRO_TIMEOUT: f64 = 0.02;
 
@@ -230,6 +232,7 @@ impl Estimator {
     }
 
     /// Reads the inertial sensors, and substitutes predictions for missing readings.
+    #[requirement("HLR-22", "HLR-24")]
     fn read_inertial(&mut self, sensors: &Sensors, commanded: &Push, measured: &Measured) {
         self.expectation.step(sensors.period, commanded);
         self.force_measured = measured.inertial && self.accelerometer.is_new(&measured.force);
@@ -249,6 +252,7 @@ impl Estimator {
     }
 
     /// Returns true if the gyroscope is lost.
+    #[requirement("HLR-24")]
     #[entry(infallible)]
     pub fn gyro_lost(&self) -> bool {
         self.ages.inertial > GYRO_TIMEOUT
@@ -291,6 +295,7 @@ impl Estimator {
     }
 
     /// Corrects the state by Vicon's reading, if it is plausible. `orientation` is the predicted one.
+    #[requirement("HLR-20", "HLR-21", "HLR-22")]
     fn correct_by_vicon(
         &mut self,
         sensors: &Sensors,
@@ -363,6 +368,7 @@ impl Estimator {
 
     /// Corrects the state by the sources that replace Vicon. `echo_is_new` and `flow_is_new` say which of them
     /// delivered.
+    #[requirement("HLR-23")]
     fn correct_without_vicon(
         &mut self,
         sensors: &Sensors,
@@ -383,6 +389,7 @@ impl Estimator {
     }
 
     /// Corrects the height by the altimeter's distance along the body's z, m; returns true if it was accepted.
+    #[requirement("HLR-21", "HLR-23")]
     fn correct_height(
         &mut self,
         sensors: &Sensors,
@@ -408,6 +415,7 @@ impl Estimator {
 
     /// Corrects the horizontal velocity by the camera's velocity along the body's axes, m/s; returns true if it was
     /// accepted. The vertical velocity is the estimate.
+    #[requirement("HLR-23")]
     fn correct_velocity(
         &mut self,
         sensors: &Sensors,

@@ -87,6 +87,7 @@ impl Injection {
     }
 
     /// Returns the gain at a time since take-off, s.
+    #[requirement("HLR-18")]
     pub fn gain(&self, time: f64) -> f64 {
         if time < self.begins {
             return 0.0;
@@ -106,6 +107,7 @@ impl Injection {
 /// eqs. (4.7), (4.16)–(4.21)).
 ///
 /// `airframe` is the aircraft as it is believed to be: its coefficients are what the identification finds.
+#[requirement("HLR-18")]
 #[function]
 pub fn compensation(
     airframe: &Airframe,

@@ -20,6 +20,7 @@ pub const SEAL_BYTES: usize = 14;
 
 /// Age, relative to the last packet, up to which a STOP is accepted, ms: it may have been overtaken. A repeated STOP
 /// within that time stops the motors again.
+#[requirement("HLR-28")]
 #[data]
 pub const STOP_MAX_AGE: u64 = 2000;
 
@@ -48,6 +49,7 @@ pub struct Gate {
 #[component]
 impl Gate {
     /// Returns the packet without its seal, or no packet if it is rejected. Without a key each packet passes unchanged.
+    #[requirement("HLR-28", "HLR-29")]
     #[entry(infallible)]
     pub fn step(&mut self, key: &Key, packet: &Packet) -> Packet {
         if !key.is_set {

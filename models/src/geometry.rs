@@ -93,6 +93,7 @@ impl Orientation {
     }
 
     /// Returns cos θ2 as a divisor, at least 0.01 in magnitude, so that rates stay finite at a pitch of ±π/2.
+    #[requirement("HLR-26")]
     pub fn divisor(&self) -> f64 {
         if self.c2.abs() < LEAST_PITCH_COSINE {
             return LEAST_PITCH_COSINE.copysign(self.c2);

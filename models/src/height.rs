@@ -8,6 +8,7 @@ use crate::signals::Target;
 use bessemer::prelude::*;
 
 /// Largest integral of the height error, m·s: at the Mambo's gain its whole weight, most of which a feed-forward takes over.
+#[requirement("HLR-05")]
 #[data]
 const INTEGRAL_LIMIT: f64 = 14.0;
 
@@ -22,6 +23,7 @@ pub struct Height {
 #[component]
 impl Height {
     /// Advances one control period and returns the commanded thrust (thesis, eq. (3.14)), N.
+    #[requirement("HLR-01", "HLR-02", "HLR-05")]
     #[entry(infallible)]
     pub fn step(
         &mut self,

@@ -9,6 +9,7 @@ use crate::signals::Target;
 use bessemer::prelude::*;
 
 /// Returns the roll, pitch and yaw that take the aircraft to its target, rad.
+#[requirement("HLR-03")]
 #[function]
 pub fn lean(
     parameters: &Parameters,

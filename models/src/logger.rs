@@ -56,6 +56,7 @@ impl Default for Choice {
 #[data]
 impl Choice {
     /// Returns the first signals at 20 Hz.
+    #[requirement("HLR-40")]
     pub fn usual() -> Choice {
         let mut signals = [0; WIDTH];
         for n in 0..WIDTH {
@@ -84,6 +85,7 @@ pub struct Logger {
 #[component]
 impl Logger {
     /// Advances one period and records the selected signals if a record is due.
+    #[requirement("HLR-40")]
     #[entry(infallible)]
     pub fn step(&mut self, choice: &Choice, signals: &SVector<f64, SIGNALS>) {
         let due = choice.every != 0 && self.period % choice.every.max(1) == 0;
@@ -99,6 +101,7 @@ impl Logger {
     }
 
     /// Appends a record and overwrites the oldest one if the ring is full.
+    #[requirement("HLR-40")]
     fn push(&mut self, record: &Record) {
         let first = self.first % DEPTH;
         let count = self.count.min(DEPTH);

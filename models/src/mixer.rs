@@ -46,6 +46,7 @@ impl Mixer {
     /// The thrust becomes a speed that is added to the feed-forward's, as the thesis has it. The torques
     /// are added to the square of the sum: added as speeds they would act 1/(1 − gain) times as strongly
     /// under feed-forward, which at a gain of 0.8 no attitude loop survives.
+    #[requirement("HLR-11", "HLR-12", "HLR-13")]
     pub fn mix(&self, wanted: &Wrench, feed_forward: &SVector<f64, MAX_MOTORS>) -> Command {
         let torque = wanted.torque;
         let mut lift = SVector::zeros();
@@ -83,6 +84,7 @@ impl Mixer {
 
     /// Returns the squares of the motor speeds, limited to 0 … `largest`. The tilt has priority over the twist, and the
     /// twist over the lift.
+    #[requirement("HLR-12", "HLR-13")]
     fn fit(
         &self,
         lift: &SVector<f64, MAX_MOTORS>,
@@ -117,6 +119,7 @@ impl Mixer {
 
 /// Returns the largest fraction, 0 to 1, of `more` that can be added to `base` while any two motors differ by at most
 /// `largest`.
+#[requirement("HLR-13")]
 #[function]
 fn share(base: &SVector<f64, MAX_MOTORS>, more: &SVector<f64, MAX_MOTORS>, largest: f64) -> f64 {
     let mut share = 1.0;

@@ -113,10 +113,12 @@ pub struct Outputs {
 }
 
 /// Largest rate of change of the feed-forward's gain, 1/s: a step would throw the aircraft up.
+#[requirement("HLR-19")]
 #[data]
 const GAIN_RATE: f64 = 0.1;
 
 /// Height, m, and speed, m/s, below which the aircraft is at rest on the ground.
+#[requirement("HLR-33")]
 #[data]
 const REST_LIMITS: [f64; 2] = [0.1, 0.1];
 
@@ -151,6 +153,7 @@ pub struct Onboard {
 #[component]
 impl Onboard {
     /// Advances one period.
+    #[requirement("HLR-16", "HLR-33", "HLR-34", "HLR-37")]
     #[entry(infallible)]
     pub fn step(&mut self, settings: &Settings, inputs: &Inputs) -> Outputs {
         let period = settings.parameters.period;
@@ -207,6 +210,7 @@ impl Onboard {
     }
 
     /// Prepares another flight, if the aircraft is at rest on the ground with its motors off.
+    #[requirement("HLR-33", "HLR-37")]
     fn arm(&mut self, estimate: &Estimate) {
         let [low, slow] = REST_LIMITS;
         let at_rest = estimate.position.z < low && estimate.velocity.norm() < slow;
@@ -220,6 +224,7 @@ impl Onboard {
     }
 
     /// Updates the alarms and returns the present one.
+    #[requirement("HLR-34", "HLR-38", "HLR-39")]
     fn watch(
         &mut self,
         settings: &Settings,
@@ -240,6 +245,7 @@ impl Onboard {
     }
 
     /// Moves the gain of the feed-forward towards its setpoint.
+    #[requirement("HLR-19")]
     fn update_gain(&mut self, settings: &Settings, reference: &Reference) {
         if !reference.motors || reference.target.take_off {
             self.gain = 0.0;
@@ -255,6 +261,7 @@ impl Onboard {
 
     /// Returns the packet to send in this period. A requested parameter is sent in the next period, after a change of
     /// it has been applied.
+    #[requirement("HLR-40")]
     fn send(&mut self, settings: &Settings, refused: &Refused) -> Packet {
         let status = Status {
             tally: self.receiver.tally,

@@ -81,6 +81,7 @@ impl Packet {
     }
 
     /// Returns true if sync bytes, length and checksum are correct.
+    #[requirement("HLR-27")]
     pub fn is_sound(&self) -> bool {
         let size = self.bytes[SIZE_OFFSET] as usize;
         if self.bytes[0] != SYNC_1 || self.bytes[1] != SYNC_2 || size > MAX_PAYLOAD {
@@ -141,6 +142,7 @@ const REMAINDERS: [u16; 16] = [
 ];
 
 /// Returns the CRC-16/CCITT of the bytes (polynomial 0x1021, initial value 0xFFFF), four bits at a time.
+#[requirement("HLR-27")]
 #[function]
 fn checksum(bytes: &[u8]) -> u16 {
     let mut sum: u16 = 0xFFFF;

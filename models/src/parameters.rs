@@ -120,6 +120,7 @@ impl Parameters {
     }
 
     /// Returns the parameters of the Parrot Mambo at 200 Hz as in the thesis (tables 3.1 and A.1).
+    #[requirement("HLR-01", "HLR-02", "HLR-03", "HLR-04", "HLR-12")]
     pub fn thesis() -> Parameters {
         let airframe = Airframe::mambo();
         Parameters {

@@ -211,6 +211,7 @@ pub struct Tally {
 }
 
 /// Limits of the sticks: tilt, rad, yaw rate, rad/s, and climb rate, m/s.
+#[requirement("HLR-31")]
 #[data]
 const STICK_LIMITS: [f64; 3] = [0.35, 2.0, 0.5];
 
@@ -239,6 +240,7 @@ pub struct Receiver {
 #[component]
 impl Receiver {
     /// Advances one period, s, and processes the packet received in it, if any.
+    #[requirement("HLR-17", "HLR-27", "HLR-28")]
     #[entry(infallible)]
     pub fn step(&mut self, period: f64, space: &Space, packet: &Packet) {
         self.orders.sticks_age += period;
@@ -281,12 +283,14 @@ impl Receiver {
     }
 
     /// Returns true if a sequence number is ahead of the last one by less than half the range.
+    #[requirement("HLR-28")]
     fn is_newer(&self, number: u16) -> bool {
         let ahead = number.wrapping_sub(self.last);
         !self.has_last || (ahead > 0 && ahead < 0x8000)
     }
 
     /// Executes a packet; returns true if it is valid.
+    #[requirement("HLR-27")]
     fn take(&mut self, space: &Space, packet: &Packet) -> bool {
         let kind = packet.kind();
         let size = packet.size();
@@ -318,6 +322,7 @@ impl Receiver {
     }
 
     /// Executes a packet without payload; returns true if its kind is known.
+    #[requirement("HLR-33", "HLR-34")]
     fn take_bare(&mut self, space: &Space, kind: u8) -> bool {
         if kind == TAKE_OFF {
             let ready = self.orders.trajectory.is_sound(space);
@@ -360,6 +365,7 @@ impl Receiver {
 
     /// Stores a set point in the trajectory being collected; returns true if it is valid. A new tag starts a new
     /// trajectory.
+    #[requirement("HLR-30")]
     fn collect(&mut self, space: &Space, packet: &Packet) -> bool {
         let name = packet.byte(0);
         let index = packet.byte(1) as usize;
@@ -378,6 +384,7 @@ impl Receiver {
     }
 
     /// Activates the collected trajectory if it is valid and complete; returns true if so. The next one starts empty.
+    #[requirement("HLR-30")]
     fn commit(&mut self, space: &Space, packet: &Packet) -> bool {
         let count = packet.byte(0) as usize;
         let mut wanted = self.collected;
@@ -397,6 +404,7 @@ impl Receiver {
     }
 
     /// Stores the sticks, limited to their range; returns true if they are numbers.
+    #[requirement("HLR-31")]
     fn take_sticks(&mut self, packet: &Packet) -> bool {
         let roll = packet.number(0);
         let pitch = packet.number(8);

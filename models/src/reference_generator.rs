@@ -10,6 +10,7 @@ use crate::trajectory::SetPoint;
 use bessemer::prelude::*;
 
 /// Height above which the aircraft is airborne, m.
+#[requirement("HLR-05")]
 #[data]
 const GROUND_CLEARANCE: f64 = 0.1;
 
@@ -60,6 +61,7 @@ pub struct Course {
 impl Course {
     /// Returns the parameters of the Mambo. The thesis uses the sample time as K_landing, with which a landing takes
     /// 200 s.
+    #[requirement("HLR-01", "HLR-09", "HLR-14", "HLR-17", "HLR-31")]
     pub fn mambo() -> Course {
         Course {
             period: 0.005,
@@ -113,6 +115,7 @@ pub struct ReferenceGenerator {
 impl ReferenceGenerator {
     /// Advances one period and returns the reference. `landed`: touch-down was detected. `degraded`: the aircraft must
     /// land, whatever was commanded.
+    #[requirement("HLR-05", "HLR-14")]
     #[entry(infallible)]
     pub fn step(
         &mut self,
@@ -155,6 +158,7 @@ impl ReferenceGenerator {
     }
 
     /// Stops the motors permanently.
+    #[requirement("HLR-37")]
     #[entry(infallible)]
     pub fn end(&mut self) {
         self.phase = Phase::Over;
@@ -170,6 +174,7 @@ impl ReferenceGenerator {
     ///
     /// An aircraft that is lighter or stronger than it is believed to be takes off faster: the closed loop
     /// takes over at half the height that is wanted, if that comes before the end of the takeoff_duration.
+    #[requirement("HLR-01", "HLR-17", "HLR-24")]
     fn change_phase(
         &mut self,
         course: &Course,
@@ -232,6 +237,7 @@ impl ReferenceGenerator {
     }
 
     /// Moves the yaw setpoint to the requested yaw; until the aircraft is airborne it is the measured yaw.
+    #[requirement("HLR-09")]
     fn turn(&mut self, course: &Course, estimate: &Estimate, target: &mut Target) {
         if !self.airborne {
             self.yaw = estimate.angles.z;
@@ -251,6 +257,7 @@ impl ReferenceGenerator {
     }
 
     /// Follows the sticks in tilt, yaw rate and climb rate, and integrates height and yaw.
+    #[requirement("HLR-31")]
     fn follow_sticks(
         &mut self,
         course: &Course,

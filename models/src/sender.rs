@@ -51,6 +51,7 @@ const STATUS_BYTES: usize = 35;
 const PARAMETER_BYTES: usize = 9;
 
 /// Interval between two states of the link, in periods.
+#[requirement("HLR-40")]
 #[data]
 const STATUS_INTERVAL: u32 = 100;
 
@@ -103,6 +104,7 @@ pub struct Sender {
 #[component]
 impl Sender {
     /// Advances one period and returns the packet to send, if any.
+    #[requirement("HLR-40")]
     #[entry(infallible)]
     pub fn step(&mut self, logger: &mut Logger, status: &Status, reply: &Reply) -> Packet {
         self.status_age = self.status_age.saturating_add(1);

@@ -32,11 +32,13 @@ pub struct Shaping {
 #[data]
 impl Shaping {
     /// Returns the limits of an aircraft in a room.
+    #[requirement("HLR-10")]
     pub fn room() -> Shaping {
         Shaping { is_active: true, speed: 1.5, acceleration: 3.0, jerk: 30.0 }
     }
 
     /// Returns the rate of the lags at which a reversal at full speed keeps the limits, 1/s.
+    #[requirement("HLR-10")]
     pub fn rate(&self) -> f64 {
         let by_acceleration = self.acceleration / (REVERSAL * self.speed);
         let by_jerk = (self.jerk / (BEND * self.speed)).sqrt();
@@ -82,6 +84,7 @@ impl Shaper {
     }
 
     /// Puts the set point into motion from a place, m, at a velocity, m/s, within the largest speed.
+    #[requirement("HLR-10")]
     #[entry(infallible)]
     pub fn begin(&mut self, shaping: &Shaping, place: &Vector3<f64>, velocity: &Vector3<f64>) {
         let speed = velocity.norm();
@@ -97,6 +100,7 @@ impl Shaper {
     }
 
     /// Advances one period, s, towards the wanted place, m.
+    #[requirement("HLR-08", "HLR-10")]
     #[entry(infallible)]
     pub fn step(&mut self, shaping: &Shaping, period: f64, wanted: &Vector3<f64>) -> Shaped {
         if !shaping.is_active {

@@ -79,6 +79,7 @@ impl Sip {
 }
 
 /// Returns the hash of the bytes from `from` to before `end`.
+#[requirement("HLR-29")]
 #[function]
 pub fn sip_hash(key: &Key, bytes: &[u8; MAX_BYTES], from: usize, end: usize) -> u64 {
     let mut sip = Sip::keyed(key);

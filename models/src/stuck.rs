@@ -14,6 +14,7 @@ pub struct Stuck {
 impl Stuck {
     /// Returns true if a reading differs from the last one. Two readings equal by chance lose one of them; a stuck
     /// sensor is not used even once.
+    #[requirement("HLR-22")]
     #[entry(infallible)]
     pub fn is_new(&mut self, reading: &Vector3<f64>) -> bool {
         let is_new = *reading != self.last;

@@ -7,18 +7,22 @@ use crate::signals::{Estimate, Target};
 use bessemer::prelude::*;
 
 /// Height below which the ground can carry the aircraft, m.
+#[requirement("HLR-15")]
 #[data]
 const CONTACT_HEIGHT: f64 = 0.1;
 
 /// Vertical speed below which the aircraft is still, m/s: a fraction of any landing rate.
+#[requirement("HLR-15")]
 #[data]
 const STILL_SPEED: f64 = 0.08;
 
 /// Time for which the aircraft must be still, s.
+#[requirement("HLR-15")]
 #[data]
 const CONFIRMATION_TIME: f64 = 0.15;
 
 /// Depth below the ground that the target must reach first, m.
+#[requirement("HLR-15")]
 #[data]
 const TARGET_DEPTH: f64 = 0.02;
 
@@ -35,6 +39,7 @@ pub struct TouchDown {
 #[component]
 impl TouchDown {
     /// Advances one period, s; returns true after touch-down. A bounce does not reset it; a new flight does.
+    #[requirement("HLR-15")]
     #[entry(infallible)]
     pub fn step(&mut self, period: f64, target: &Target, estimate: &Estimate) -> bool {
         if !target.land {

@@ -46,6 +46,7 @@ pub struct Space {
 impl Trajectory {
     /// Returns true if the trajectory is valid: at least one point, each within the space, times increasing from 0. NaN
     /// is never valid.
+    #[requirement("HLR-30")]
     pub fn is_sound(&self, space: &Space) -> bool {
         let mut sound = self.count >= 1 && self.count <= MAX_POINTS;
         let mut before = -1.0;
@@ -75,6 +76,7 @@ impl Trajectory {
 #[data]
 impl SetPoint {
     /// Returns true if the set point is within the space and its yaw within one turn.
+    #[requirement("HLR-30")]
     pub fn is_inside(&self, space: &Space) -> bool {
         let place = self.position;
         let near = place.x.abs() <= space.reach && place.y.abs() <= space.reach;

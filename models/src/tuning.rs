@@ -13,6 +13,7 @@ use bessemer::prelude::*;
 pub const PARAMETER_COUNT: usize = 23;
 
 /// Number of the first parameter that changes on the ground only.
+#[requirement("HLR-32")]
 #[data]
 pub const FIRST_GROUND_ONLY: usize = 18;
 
@@ -94,6 +95,7 @@ impl Settings {
     }
 
     /// Applies a request of the ground station if it is valid; returns true if so.
+    #[requirement("HLR-32")]
     pub fn grant(&mut self, wish: &Wish, flying: bool) -> bool {
         match wish.request {
             Request::Set => self.set(wish.number, wish.value, flying),
@@ -106,6 +108,7 @@ impl Settings {
     }
 
     /// Sets a parameter if the value is valid; returns true if so.
+    #[requirement("HLR-32")]
     pub fn set(&mut self, number: u8, value: f64, flying: bool) -> bool {
         let n = number as usize;
         if n >= PARAMETER_COUNT || (flying && n >= FIRST_GROUND_ONLY) {

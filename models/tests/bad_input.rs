@@ -4,6 +4,7 @@
 mod recorded;
 
 use bessemer::nalgebra::Vector3;
+use bessemer::requirement;
 use models::calibration::{Calibration, Echo, Flow, Inertial, Readings, Vicon};
 use models::crash_predictor::CrashPredictor;
 use models::estimator::Ages;
@@ -42,6 +43,7 @@ fn take(receiver: &mut Recorded<Receiver>, packet: &Packet) {
 }
 
 #[test]
+#[requirement("HLR-27")]
 fn every_bit_of_a_packet_counts() {
     let good = packet(POINT, 7, &set_point(0, [0.0, 0.1, 0.2, 1.0, 0.0]));
     assert!(good.is_sound());
@@ -58,6 +60,7 @@ fn every_bit_of_a_packet_counts() {
 }
 
 #[test]
+#[requirement("HLR-27", "HLR-28", "HLR-33")]
 fn what_is_no_packet_is_dropped_and_counted() {
     let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(HELLO, 1, &[]));
@@ -84,6 +87,7 @@ fn what_is_no_packet_is_dropped_and_counted() {
 }
 
 #[test]
+#[requirement("HLR-28")]
 fn numbers_go_round() {
     let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(HELLO, u16::MAX, &[]));
@@ -92,6 +96,7 @@ fn numbers_go_round() {
 }
 
 #[test]
+#[requirement("HLR-31")]
 fn sticks_are_numbers_within_their_limits() {
     let mut receiver = Recorded::<Receiver>::default();
     let sticks = |values: [f64; 4]| -> Vec<u8> {
@@ -114,6 +119,7 @@ fn trajectory(points: &[(f64, f64)]) -> Trajectory {
 }
 
 #[test]
+#[requirement("HLR-30")]
 fn trajectories_out_of_order_or_out_of_bounds_are_refused() {
     assert!(trajectory(&[(0.0, 1.0), (5.0, 2.0)]).is_sound(&space()));
     for bad in [
@@ -134,6 +140,7 @@ fn trajectories_out_of_order_or_out_of_bounds_are_refused() {
 }
 
 #[test]
+#[requirement("HLR-30")]
 fn a_refused_trajectory_leaves_the_one_that_is_flown() {
     let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(POINT, 1, &set_point(0, [0.0, 0.0, 0.0, 1.0, 0.0])));
@@ -151,6 +158,7 @@ fn a_refused_trajectory_leaves_the_one_that_is_flown() {
 }
 
 #[test]
+#[requirement("HLR-30")]
 fn a_trajectory_may_have_all_its_points() {
     let mut receiver = Recorded::<Receiver>::default();
     let at = |index: u8| {
@@ -181,6 +189,7 @@ fn a_take_off_that_was_ordered_stays_so_in_a_smaller_space() {
 }
 
 #[test]
+#[requirement("HLR-28")]
 fn to_stop_a_packet_is_never_too_old() {
     let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(MODE, 900, &[1]));
@@ -193,6 +202,7 @@ fn to_stop_a_packet_is_never_too_old() {
 }
 
 #[test]
+#[requirement("HLR-28")]
 fn what_makes_no_sense_moves_no_number() {
     let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(MODE, 900, &[1]));
@@ -202,6 +212,7 @@ fn what_makes_no_sense_moves_no_number() {
 }
 
 #[test]
+#[requirement("HLR-30")]
 fn points_of_an_earlier_trajectory_are_in_no_later_one() {
     let mut receiver = Recorded::<Receiver>::default();
     let at = |name, index, height| {
@@ -226,6 +237,7 @@ fn points_of_an_earlier_trajectory_are_in_no_later_one() {
 }
 
 #[test]
+#[requirement("HLR-30")]
 fn points_of_an_earlier_ground_are_in_no_trajectory() {
     let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(POINT, 1, &named_point(1, 1, [5.0, 1.0, 0.0, 1.0, 0.0])));
@@ -250,6 +262,7 @@ fn no_number_is_within_no_limit() {
 }
 
 #[test]
+#[requirement("HLR-17")]
 fn the_ground_is_missed_once_it_has_beaten() {
     let mut receiver = Recorded::<Receiver>::default();
     take(&mut receiver, &packet(HELLO, 1, &[]));
@@ -313,6 +326,7 @@ fn the_bench_flies() {
 }
 
 #[test]
+#[requirement("HLR-33")]
 fn in_flight_neither_arming_nor_disarming_stops_the_motors() {
     let outputs = flown(600, |n, inputs| match n {
         400 => inputs.uplink = packet(DISARM, 5, &[]),
@@ -325,9 +339,10 @@ fn in_flight_neither_arming_nor_disarming_stops_the_motors() {
 }
 
 #[test]
+#[requirement("HLR-33", "HLR-37")]
 fn a_moving_aircraft_is_not_armed_again() {
-    // Nobody orders a take-off: the aircraft is carried at 2 m/s, or rests.
-    let phase = |speed: f64| {
+    // Nobody orders a take-off: the aircraft is carried at 2 m/s, held at a height, or rests.
+    let phase = |speed: f64, height: f64| {
         let outputs = flown(60, |n, inputs| {
             match n {
                 57 => inputs.uplink = packet(STOP, 2, &[]),
@@ -336,13 +351,30 @@ fn a_moving_aircraft_is_not_armed_again() {
                 _ => {}
             }
             inputs.readings.vicon.position.x += speed * 0.005 * n as f64;
+            inputs.readings.vicon.position.z += height;
         });
         let last = last(&outputs);
         assert_eq!(last.estimate.velocity.norm() > 0.5, speed > 0.0, "{:?}", last.estimate);
         assert_eq!(last.command.motors.max(), 0.0);
         last.reference.phase
     };
-    assert_eq!([phase(2.0), phase(0.0)], [Phase::Over, Phase::Ready]);
+    assert_eq!([phase(2.0, 0.0), phase(0.0, 0.5)], [Phase::Over; 2]);
+    assert_eq!(phase(0.0, 0.0), Phase::Ready);
+}
+
+#[test]
+#[requirement("HLR-34", "HLR-37")]
+fn a_stop_stops_the_motors_in_its_period() {
+    let outputs = flown(800, |n, inputs| match n {
+        600 => inputs.uplink = packet(STOP, 5, &[]),
+        700 => inputs.uplink = packet(TAKE_OFF, 6, &[]),
+        _ => {}
+    });
+    assert!(outputs[599].command.motors.max() > 100.0);
+    for after in &outputs[600..] {
+        assert_eq!((after.alarm, after.reference.phase), (Alarm::Commanded, Phase::Over));
+        assert_eq!(after.command.motors.amax(), 0.0);
+    }
 }
 
 /// Returns the alarm of an aircraft in level flight at this height and vertical speed, m and m/s, that accelerates
@@ -363,6 +395,7 @@ fn alarm_at(position: Vector3<f64>, velocity: Vector3<f64>, climb: f64) -> Alarm
 }
 
 #[test]
+#[requirement("HLR-35", "HLR-36")]
 fn the_ceiling_and_a_hard_touch_down_raise_their_alarms() {
     assert_eq!(alarm(3.9, 0.0, 0.0), Alarm::Clear);
     assert_eq!(alarm(4.1, 0.0, 0.0), Alarm::Height);
@@ -374,6 +407,7 @@ fn the_ceiling_and_a_hard_touch_down_raise_their_alarms() {
 }
 
 #[test]
+#[requirement("HLR-35")]
 fn leaving_the_room_to_any_side_raises_its_alarm() {
     let reach = Limits::room().reach;
     for side in [Vector3::x(), Vector3::y()] {
@@ -391,6 +425,55 @@ fn leaving_the_room_to_any_side_raises_its_alarm() {
 }
 
 #[test]
+#[requirement("HLR-35")]
+fn a_tilt_a_turn_and_a_speed_raise_their_alarms_in_the_third_period() {
+    let alarms = |angles: Vector3<f64>, rates: Vector3<f64>, velocity: Vector3<f64>| {
+        let mut predictor = Recorded::<CrashPredictor>::default();
+        let estimate = Estimate { position: 2.0 * Vector3::z(), angles, velocity, rates };
+        let orientation = Orientation::of(&angles);
+        [(); 3].map(|()| {
+            let (limits, ages) = (Limits::room(), Ages::default());
+            predictor.step(&limits, true, &estimate, &orientation, &ages, 0.0)
+        })
+    };
+    let (zero, x, y, z) = (Vector3::zeros(), Vector3::x(), Vector3::y(), Vector3::z());
+    for ([angles, rates, velocity], alarm) in [
+        ([0.89 * x, zero, zero], Alarm::Clear),
+        ([0.91 * x, zero, zero], Alarm::Tilt),
+        ([-0.91 * y, zero, zero], Alarm::Tilt),
+        // A positive rate lowers the angle: within the horizon it is beyond the limit.
+        ([-0.85 * x, x, zero], Alarm::Tilt),
+        ([zero, 11.9 * z, zero], Alarm::Clear),
+        ([zero, -12.1 * z, zero], Alarm::Spin),
+        ([zero, 12.1 * x, zero], Alarm::Spin),
+        ([zero, zero, 3.9 * x], Alarm::Clear),
+        ([zero, zero, -4.1 * y], Alarm::Speed),
+        // The thrust of a tilted aircraft accelerates it beyond the limit within the horizon.
+        ([0.5 * x, zero, 3.9 * y], Alarm::Speed),
+    ] {
+        let found = alarms(angles, rates, velocity);
+        assert_eq!(found, [Alarm::Clear, Alarm::Clear, alarm], "{angles} {rates} {velocity}");
+    }
+}
+
+#[test]
+#[requirement("HLR-37")]
+fn a_state_without_numbers_raises_its_alarm_at_once_and_for_good() {
+    for nonsense in [f64::NAN, f64::INFINITY] {
+        let mut predictor = Recorded::<CrashPredictor>::default();
+        let level = Orientation::of(&Vector3::zeros());
+        let mut step = |estimate: &Estimate| {
+            predictor.step(&Limits::room(), true, estimate, &level, &Ages::default(), 0.0)
+        };
+        let good = Estimate { position: Vector3::z(), ..Estimate::default() };
+        assert_eq!(step(&good), Alarm::Clear);
+        let bad = Estimate { rates: Vector3::new(0.0, nonsense, 0.0), ..good };
+        assert_eq!([step(&bad), step(&good), step(&good)], [Alarm::Undefined; 3]);
+    }
+}
+
+#[test]
+#[requirement("HLR-20", "HLR-21")]
 fn vicon_without_numbers_is_vicon_lost() {
     let nonsense = [f64::NAN, f64::INFINITY, -1e300];
     let outputs = flown(1000, |n, inputs| {
@@ -430,6 +513,7 @@ fn in_flight_all_sensors_deliver_while_the_gyroscope_is_stuck() {
 }
 
 #[test]
+#[requirement("HLR-20")]
 fn angles_without_numbers_alone_do_no_harm() {
     let outputs = flown(1000, |n, inputs| {
         if n >= 500 {
@@ -455,6 +539,7 @@ const GYROSCOPE_LOST: [fn(usize, &mut Inputs); 3] = [
 ];
 
 #[test]
+#[requirement("HLR-21", "HLR-22", "HLR-24")]
 fn without_its_gyroscope_the_aircraft_lands() {
     for lost in GYROSCOPE_LOST {
         let outputs = flown(620, lost);
@@ -466,6 +551,7 @@ fn without_its_gyroscope_the_aircraft_lands() {
 }
 
 #[test]
+#[requirement("HLR-25")]
 fn with_nothing_that_shows_how_it_leans_it_stops() {
     for lost in GYROSCOPE_LOST {
         let outputs = flown(700, |n, inputs| {
@@ -480,6 +566,7 @@ fn with_nothing_that_shows_how_it_leans_it_stops() {
 }
 
 #[test]
+#[requirement("HLR-37", "HLR-39")]
 fn time_that_runs_backwards_stops_the_motors() {
     let backwards = |n: usize, inputs: &mut Inputs| {
         if n >= 600 {
@@ -492,6 +579,8 @@ fn time_that_runs_backwards_stops_the_motors() {
         let last = last(&outputs);
         assert_eq!((last.alarm, last.reference.phase), (Alarm::Clock, Phase::Over));
         assert_eq!(last.command.motors.amax(), 0.0);
+        let first = outputs.iter().position(|out| out.alarm == Alarm::Clock).expect("an alarm");
+        assert!((619..=620).contains(&first), "{first}: after 20 wrong periods");
     }
     // A clock that stumbles once is no reason to fall.
     let once = |n: usize, inputs: &mut Inputs| {
@@ -503,6 +592,7 @@ fn time_that_runs_backwards_stops_the_motors() {
 }
 
 #[test]
+#[requirement("HLR-27")]
 fn garbage_on_the_link_changes_nothing() {
     let clean = flown(1000, |_, _| ());
     let dirty = flown(1000, |n, inputs| {

@@ -3,8 +3,9 @@
 
 mod recorded;
 
-use bessemer::nalgebra::Vector3;
-use models::receiver::Orders;
+use bessemer::nalgebra::{Vector2, Vector3};
+use bessemer::requirement;
+use models::receiver::{Orders, Sticks};
 use models::reference_generator::{Course, ReferenceGenerator};
 use models::trajectory::{SetPoint, Trajectory};
 use models::{Attitude, Estimate, Height, Mode, Parameters, Phase, Target};
@@ -39,6 +40,7 @@ fn flown(generator: &mut Recorded<ReferenceGenerator>, orders: &Orders, time: f6
 }
 
 #[test]
+#[requirement("HLR-01")]
 fn a_take_off_in_the_very_first_step_is_one() {
     let mut generator = Recorded::<ReferenceGenerator>::default();
     // The height is a little above 0, by noise.
@@ -49,6 +51,74 @@ fn a_take_off_in_the_very_first_step_is_one() {
 }
 
 #[test]
+#[requirement("HLR-01")]
+fn a_take_off_ends_after_a_second_or_at_half_the_height() {
+    let taken = |height: f64| {
+        let mut generator = Recorded::<ReferenceGenerator>::default();
+        let mut phase =
+            || generator.step(&Course::mambo(), &orders(0.0), &at(height, 0.0), false, false).phase;
+        (0..1000).take_while(|_| phase() == Phase::TakeOff).count()
+    };
+    assert_eq!([taken(0.01), taken(0.49), taken(0.51)], [200, 200, 1]);
+}
+
+#[test]
+#[requirement("HLR-14")]
+fn a_landing_sinks_at_its_rate_from_the_wanted_height() {
+    let mut generator = Recorded::<ReferenceGenerator>::default();
+    flown(&mut generator, &orders(0.0), 4.0);
+    let target = flown(&mut generator, &Orders { land: true, ..orders(0.0) }, 6.0);
+    assert_eq!((generator.phase, target.land, target.velocity.z), (Phase::Landing, true, -0.25));
+    assert!((target.position.z - (1.0 - 6.0 * 0.25)).abs() < 1e-9, "{}", target.position.z);
+}
+
+#[test]
+#[requirement("HLR-31")]
+fn sticks_count_as_centred_after_half_a_second() {
+    let mut generator = Recorded::<ReferenceGenerator>::default();
+    let sticks = Sticks { lean: Vector2::new(0.1, -0.2), yaw_rate: 0.5, climb: 0.3 };
+    let manual = Orders { mode: Mode::Manual, sticks, sticks_age: 0.0, ..orders(0.0) };
+    flown(&mut generator, &manual, 2.0);
+    let mut wanted = |sticks_age| {
+        let target = flown(&mut generator, &Orders { sticks_age, ..manual }, 0.005);
+        Sticks { lean: target.lean, yaw_rate: target.yaw_rate, climb: target.velocity.z }
+    };
+    assert_eq!([wanted(0.5), wanted(0.501)], [sticks, Sticks::centred()]);
+}
+
+#[test]
+#[requirement("HLR-09")]
+fn the_yaw_set_point_keeps_to_its_rate() {
+    let mut generator = Recorded::<ReferenceGenerator>::default();
+    let (mut before, mut fastest) = (0.0, 0.0_f64);
+    for _ in 0..2000 {
+        let yaw = flown(&mut generator, &orders(3.0), 0.005).yaw;
+        fastest = fastest.max((yaw - before).abs() / 0.005);
+        before = yaw;
+    }
+    assert!((fastest - 1.0).abs() < 1e-9 && (before - 3.0).abs() < 1e-9, "{fastest} rad/s");
+}
+
+#[test]
+#[requirement("HLR-05")]
+fn integrals_wait_until_the_aircraft_has_left_the_ground() {
+    let parameters = Parameters::mambo();
+    let grounded = |height| {
+        let mut generator = Recorded::<ReferenceGenerator>::default();
+        let reference =
+            generator.step(&Course::mambo(), &orders(0.0), &at(height, 0.0), false, false);
+        reference.target.grounded
+    };
+    assert_eq!([grounded(0.0), grounded(0.099), grounded(0.101)], [true, true, false]);
+    let (mut height, mut attitude) = (Height::default(), Attitude::default());
+    let target = Target { grounded: true, position: Vector3::z(), ..Target::idle() };
+    height.step(&parameters, &target, 0.0, 0.0);
+    attitude.step(&parameters, &Vector3::repeat(0.3), &Vector3::zeros(), true);
+    assert_eq!((height, attitude), (Height::default(), Attitude::default()));
+}
+
+#[test]
+#[requirement("HLR-09")]
 fn it_turns_the_short_way_round() {
     let mut generator = Recorded::<ReferenceGenerator>::default();
     flown(&mut generator, &orders(3.0), 9.0);
@@ -63,8 +133,10 @@ fn it_turns_the_short_way_round() {
 }
 
 #[test]
+#[requirement("HLR-17")]
 fn a_silent_ground_is_waited_for_then_left() {
     let course = Course::mambo();
+    assert_eq!((course.hold_timeout, course.landing_timeout), (1.0, 6.0));
     let mut generator = Recorded::<ReferenceGenerator>::default();
     let mut orders = Orders { watched: true, silence: 0.0, ..orders(1.0) };
     flown(&mut generator, &orders, 3.0);
@@ -86,6 +158,7 @@ fn a_silent_ground_is_waited_for_then_left() {
 }
 
 #[test]
+#[requirement("HLR-17")]
 fn a_pilot_who_is_lost_leaves_the_aircraft_where_it_is() {
     let mut generator = Recorded::<ReferenceGenerator>::default();
     let mut manual = Orders { watched: true, silence: 0.0, ..orders(0.0) };
@@ -122,6 +195,7 @@ fn an_aircraft_that_must_land_at_once_stops_gently_ahead_of_its_place() {
 }
 
 #[test]
+#[requirement("HLR-05")]
 fn integrals_end_somewhere() {
     let parameters = Parameters::mambo();
     let (mut height, mut attitude) = (Height::default(), Attitude::default());

@@ -2,6 +2,7 @@
 //! uncertain, nothing is divided by it.
 
 use bessemer::nalgebra::{Matrix6, Vector3, Vector6};
+use bessemer::requirement;
 use models::attitude_filter::AttitudeFilter;
 use models::axis_filter::AxisFilter;
 use models::geometry::{LEAST_PITCH_COSINE, Orientation};
@@ -17,6 +18,7 @@ fn is_covariance(matrix: &Matrix6<f64>) -> bool {
 }
 
 #[test]
+#[requirement("HLR-26")]
 fn a_million_periods_leave_covariances() {
     let mut attitude = AttitudeFilter::level(1.0, 0.05);
     let mut axis = AxisFilter::at_rest(3.0, 0.3);
@@ -58,6 +60,7 @@ fn where_nothing_is_uncertain_nothing_is_learnt() {
 }
 
 #[test]
+#[requirement("HLR-20")]
 fn from_what_can_be_anything_nothing_is_learnt() {
     let mut attitude = AttitudeFilter::level(1.0, 0.05);
     let mut axis = AxisFilter::at_rest(3.0, 0.3);
@@ -70,6 +73,7 @@ fn from_what_can_be_anything_nothing_is_learnt() {
 }
 
 #[test]
+#[requirement("HLR-26")]
 fn nothing_is_divided_by_a_cosine_of_zero() {
     for pitch in [FRAC_PI_2, -FRAC_PI_2, 1.57, FRAC_PI_2 + 4e-6, 3.0 * FRAC_PI_2] {
         let orientation = Orientation::of(&Vector3::new(0.3, pitch, -0.2));

@@ -3,10 +3,11 @@
 mod recorded;
 
 use bessemer::nalgebra::{SMatrix, Vector2, Vector3};
+use bessemer::requirement;
 use models::Airframe;
 use models::attitude_filter::AttitudeFilter;
 use models::axis_filter::AxisFilter;
-use models::calibration::{Measured, Vicon};
+use models::calibration::{Calibration, Inertial, Measured, Readings, Vicon};
 use models::estimator::{Estimator, Sensors};
 use models::expectation::{Expectation, Push};
 use models::feed_forward::{Injection, compensation};
@@ -26,6 +27,7 @@ where
 }
 
 #[test]
+#[requirement("HLR-26")]
 fn an_axis_stays_symmetric_and_positive_for_an_hour() {
     let mut axis = AxisFilter::at_rest(3.0, 0.3);
     for n in 0..720_000_u32 {
@@ -45,6 +47,7 @@ fn an_axis_stays_symmetric_and_positive_for_an_hour() {
 }
 
 #[test]
+#[requirement("HLR-26")]
 fn the_attitude_stays_symmetric_and_positive_while_it_tumbles() {
     let mut attitude = AttitudeFilter::level(1.0, 0.05);
     for n in 0..20_000_u32 {
@@ -59,6 +62,7 @@ fn the_attitude_stays_symmetric_and_positive_while_it_tumbles() {
 }
 
 #[test]
+#[requirement("HLR-20")]
 fn gates_keep_out_what_is_too_far_or_no_number() {
     let mut axis = AxisFilter::at_rest(0.1, 0.1);
     let before = axis;
@@ -69,6 +73,51 @@ fn gates_keep_out_what_is_too_far_or_no_number() {
     }
     assert!(axis.correct(&row, 0.4, 1e-4, 5.0));
     assert!((axis.state[0] - 0.4).abs() < 0.01, "{}", axis.state);
+
+    let mut attitude = AttitudeFilter::level(0.1, 0.05);
+    let before = attitude;
+    for innovation in [0.51, -0.51, f64::NAN, f64::INFINITY] {
+        assert!(!attitude.correct(1, &[false; 6], innovation, 1e-4, 5.0), "{innovation}");
+        assert_eq!(attitude, before);
+    }
+    assert!(attitude.correct(1, &[false; 6], 0.4, 1e-4, 5.0));
+}
+
+#[test]
+#[requirement("HLR-21")]
+fn counts_at_the_end_of_the_range_are_not_measured() {
+    let is_measured = |sensor: usize, count: i16| {
+        let mut inertial = Inertial { fresh: true, ..Inertial::default() };
+        match sensor {
+            0..3 => inertial.gyroscope[sensor] = count,
+            _ => inertial.accelerometer[sensor - 3] = count,
+        }
+        let readings = Readings { inertial, ..Readings::default() };
+        Calibration::mambo().measured(&readings).inertial
+    };
+    for sensor in 0..6 {
+        for (count, measured) in [(i16::MIN, false), (-32767, false), (-32766, true)] {
+            assert_eq!(is_measured(sensor, count), measured, "{sensor}: {count}");
+        }
+        for (count, measured) in [(32766, true), (32767, false)] {
+            assert_eq!(is_measured(sensor, count), measured, "{sensor}: {count}");
+        }
+    }
+}
+
+#[test]
+#[requirement("HLR-21")]
+fn the_altimeter_is_used_within_its_range() {
+    for (distance, taken) in [(0.029, false), (0.031, true), (3.9, true), (4.01, false)] {
+        let mut estimator = Estimator::default();
+        for n in 0..100_u32 {
+            // Vicon is lost, and no echo repeats the last one.
+            let echo = n == 99;
+            let measured = Measured { echo, distance, ..Measured::default() };
+            estimator.step(&Sensors::mambo(), &Push::default(), &measured);
+        }
+        assert_eq!(estimator.ages.height == 0.0, taken, "{distance} m");
+    }
 }
 
 #[test]
@@ -107,6 +156,7 @@ fn angles_are_the_same_after_whole_turns() {
 }
 
 #[test]
+#[requirement("HLR-18")]
 fn feed_forward_carries_the_weight() {
     for airframe in [Airframe::mambo(), Airframe::hexacopter()] {
         let still = Vector3::zeros();
@@ -165,6 +215,7 @@ fn what_the_motors_do_stands_in_for_silent_sensors() {
 }
 
 #[test]
+#[requirement("HLR-22")]
 fn a_sensor_that_repeats_itself_is_not_believed_once() {
     let mut stuck = Stuck::default();
     assert!(stuck.is_new(&Vector3::new(0.1, 0.2, 0.3)));
@@ -173,20 +224,29 @@ fn a_sensor_that_repeats_itself_is_not_believed_once() {
 }
 
 #[test]
+#[requirement("HLR-21")]
 fn vicon_sees_nothing_below_the_ground() {
     // Not half a box below it, as far as the box goes up: only as far as its own error and the ground's.
-    for (height, taken) in
-        [(4.9, true), (0.0, true), (-0.1, true), (-0.2, false), (-4.9, false), (5.1, false)]
-    {
+    for (x, y, height, taken) in [
+        (0.01, 0.0, 4.9, true),
+        (0.01, 0.0, 0.0, true),
+        (0.01, 0.0, -0.1, true),
+        (0.01, 0.0, -0.2, false),
+        (0.01, 0.0, -4.9, false),
+        (0.01, 0.0, 5.1, false),
+        (4.9, -4.9, 1.0, true),
+        (5.1, 0.0, 1.0, false),
+        (0.0, -5.1, 1.0, false),
+    ] {
         let mut estimator = Estimator::default();
-        let position = Vector3::new(0.01, 0.0, height);
+        let position = Vector3::new(x, y, height);
         let vicon = Vicon { fresh: true, position, angles: Vector3::zeros() };
         let measured = Measured { vicon, ..Measured::default() };
         estimator.step(&Sensors::mambo(), &Push::default(), &measured);
         assert_eq!(
             (estimator.outliers == 0, estimator.ages.vicon == 0.0),
             (taken, taken),
-            "{height}"
+            "{position}"
         );
     }
 }

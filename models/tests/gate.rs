@@ -2,6 +2,7 @@
 
 mod recorded;
 
+use bessemer::requirement;
 use models::gate::{Gate, Refused, SEAL_BYTES};
 use models::packet::{CHECKSUM_START, HEADER_BYTES, Packet};
 use models::receiver::{LAND, MODE, POINT, STOP};
@@ -19,6 +20,7 @@ fn bytes_of(key: &Key) -> [u8; 16] {
 }
 
 #[test]
+#[requirement("HLR-29")]
 fn the_papers_vector_comes_out() {
     // Appendix A: the key 00 01 … 0f, the message 00 01 … 0e.
     let message: [u8; 64] = std::array::from_fn(|n| n as u8);
@@ -26,6 +28,7 @@ fn the_papers_vector_comes_out() {
 }
 
 #[test]
+#[requirement("HLR-29")]
 fn the_reference_vectors_come_out() {
     // The first of the authors' `vectors.h`: messages 00 01 … of 0, 1, 2 … bytes.
     let expected = [
@@ -46,6 +49,7 @@ fn the_reference_vectors_come_out() {
 }
 
 #[test]
+#[requirement("HLR-29")]
 fn every_length_and_place_is_as_in_another_implementation() {
     let message: [u8; 64] = std::array::from_fn(|n| (n * n * 7 + 13) as u8);
     for halves in [[0, 0], [u64::MAX, 1], key().halves] {
@@ -79,6 +83,7 @@ fn plain(kind: u8, sequence: u16, payload: &[u8]) -> Packet {
 }
 
 #[test]
+#[requirement("HLR-29")]
 fn what_is_sealed_comes_through_without_its_seal() {
     let mut gate = Recorded::<Gate>::default();
     // The longest packet that the ground sends is a set point.
@@ -97,6 +102,7 @@ fn without_a_key_everything_comes_through() {
 }
 
 #[test]
+#[requirement("HLR-29")]
 fn one_wrong_bit_keeps_a_packet_out() {
     let good = sealed(&key(), MODE, 3, &[1], 1000);
     for at in CHECKSUM_START..good.length - 2 {
@@ -116,6 +122,7 @@ fn one_wrong_bit_keeps_a_packet_out() {
 }
 
 #[test]
+#[requirement("HLR-28", "HLR-29")]
 fn forged_replayed_and_unsealed_packets_are_counted() {
     let mut gate = Recorded::<Gate>::default();
     let other = Key { is_set: true, halves: [1, 2] };
@@ -135,6 +142,7 @@ fn forged_replayed_and_unsealed_packets_are_counted() {
 }
 
 #[test]
+#[requirement("HLR-29")]
 fn no_part_of_a_sealed_packet_passes() {
     // A STOP, which would be taken however late: no beginning of it is one.
     let whole = sealed(&key(), STOP, 3, &[], 1000);
@@ -154,6 +162,7 @@ fn no_part_of_a_sealed_packet_passes() {
 }
 
 #[test]
+#[requirement("HLR-28")]
 fn a_stop_that_was_overtaken_stops_but_an_old_one_does_not() {
     let mut gate = Recorded::<Gate>::default();
     gate.step(&key(), &sealed(&key(), MODE, 9, &[1], 100_000));

@@ -1,6 +1,7 @@
 //! The mixer against the airframe that it commands.
 
 use bessemer::nalgebra::{Matrix3, Matrix4, SVector, Vector3, Vector4};
+use bessemer::requirement;
 use models::{Airframe, Command, Layout, Parameters, Wrench};
 
 const GRAVITY: f64 = 9.81;
@@ -15,6 +16,7 @@ fn loads(airframe: &Airframe, parameters: &Parameters, command: &Command) -> Vec
 }
 
 #[test]
+#[requirement("HLR-11")]
 fn allocation_inverts_effectiveness_for_any_number_of_motors() {
     for layout in [Layout::Plus, Layout::Cross] {
         for motors in [4, 6, 8] {
@@ -61,6 +63,7 @@ fn effectiveness_is_the_thesis_matrix() {
 }
 
 #[test]
+#[requirement("HLR-11")]
 fn motors_produce_what_is_wanted() {
     for (airframe, parameters, scale) in [
         (Airframe::mambo(), Parameters::mambo(), 1.0),
@@ -85,6 +88,7 @@ fn hover_is_half_of_full_power() {
 }
 
 #[test]
+#[requirement("HLR-12", "HLR-13")]
 fn roll_is_kept_before_yaw_and_yaw_before_height() {
     let (airframe, parameters) = (Airframe::mambo(), Parameters::mambo());
     // More of everything than the motors have.
@@ -131,6 +135,7 @@ fn speeds_carry_the_signs_of_rotation() {
 }
 
 #[test]
+#[requirement("HLR-12")]
 fn motors_stand_still_when_nothing_can_be_computed() {
     let parameters = Parameters::mambo();
     for wrench in [

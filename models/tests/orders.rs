@@ -2,6 +2,7 @@
 
 mod recorded;
 
+use bessemer::requirement;
 use models::packet::Packet;
 use models::receiver::{
     ARM, ASK, ASK_BYTES, CHOOSE, CHOOSE_BYTES, COMMIT, COMMIT_BYTES, DISARM, GOODBYE, HEARTBEAT,
@@ -57,6 +58,7 @@ fn took_effect(receiver: &Receiver, kind: u8) -> bool {
 }
 
 #[test]
+#[requirement("HLR-27")]
 fn a_packet_is_valid_with_one_size() {
     let space = Settings::mambo().space;
     let mut receiver = Recorded::<Receiver>::default();
@@ -101,6 +103,7 @@ fn wishes_reach_the_owner_of_the_settings() {
 }
 
 #[test]
+#[requirement("HLR-33")]
 fn without_measurements_no_order_starts_the_motors() {
     let orders = [(HELLO, 0), (ARM, 0), (DISARM, 0), (ARM, 0), (STOP, 0), (ARM, 0), (GOODBYE, 0)];
     for outputs in received(&orders) {

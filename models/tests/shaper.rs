@@ -1,6 +1,7 @@
 //! The shaped set point: it keeps its limits for any sequence of places, comes to rest where it is wanted, and never overshoots.
 
 use bessemer::nalgebra::Vector3;
+use bessemer::requirement;
 use models::shaper::{Shaped, Shaper, Shaping};
 use models::{Parameters, Settings};
 
@@ -17,6 +18,7 @@ fn numbers(seed: u64) -> impl FnMut() -> f64 {
 }
 
 #[test]
+#[requirement("HLR-10")]
 fn the_limits_hold_for_any_sequence_of_places() {
     let room = Shaping::room();
     let quick = Shaping { speed: 2.5, acceleration: 5.0, jerk: 100.0, ..room };
@@ -48,6 +50,7 @@ fn the_limits_hold_for_any_sequence_of_places() {
 }
 
 #[test]
+#[requirement("HLR-10")]
 fn it_comes_to_rest_where_it_is_wanted_in_a_straight_line() {
     let (shaping, wanted) = (Shaping::room(), Vector3::new(2.0, -1.0, 0.5));
     let mut shaper = Shaper::default();
@@ -65,6 +68,7 @@ fn it_comes_to_rest_where_it_is_wanted_in_a_straight_line() {
 }
 
 #[test]
+#[requirement("HLR-10")]
 fn it_begins_as_fast_as_the_aircraft_is() {
     let (shaping, place) = (Shaping::room(), Vector3::new(1.0, 0.0, 0.4));
     let goal = Vector3::new(1.0, 0.0, 2.0);

@@ -1,5 +1,6 @@
 //! The parameters that the ground can change: their ranges hold those that fly, and nothing out of them is taken.
 
+use bessemer::requirement;
 use models::receiver::{Request, Wish};
 use models::tuning::{
     FIRST_GROUND_ONLY, HEXACOPTER_LARGEST_VALUES, HEXACOPTER_LEAST_VALUES, LARGEST_VALUES,
@@ -35,6 +36,7 @@ fn each_number_reads_and_writes_the_same_parameter() {
 }
 
 #[test]
+#[requirement("HLR-32")]
 fn what_is_out_of_range_or_unsafe_in_flight_is_refused() {
     for (initial, [least, largest]) in airframes() {
         let mut settings = initial;
@@ -51,6 +53,7 @@ fn what_is_out_of_range_or_unsafe_in_flight_is_refused() {
 }
 
 #[test]
+#[requirement("HLR-32")]
 fn a_wish_is_granted_or_not() {
     let mut settings = Settings::mambo();
     let wish = Wish { request: Request::Set, number: 19, value: 2.0, ..Wish::default() };

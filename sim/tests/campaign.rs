@@ -1,5 +1,6 @@
 //! Campaigns: a few seeds of each, and the committed flights.
 
+use bessemer::requirement;
 use bessemer_campaign::{Campaign, Row, Summary, read};
 use rayon::prelude::*;
 use sim::campaign::{Kind, MODELS, tally};
@@ -13,6 +14,7 @@ fn root() -> PathBuf {
 /// The first flights of each committed file, flown again, have their lines. So the files are results of these models and of
 /// this world: a change of the world that changes a flight needs a new version and new files.
 #[test]
+#[requirement("HLR-16", "HLR-38")]
 fn the_committed_flights_are_those_of_these_models() {
     for (kind, file, seeds) in [(Kind::Spread, "spread", 0..6), (Kind::Failures, "failures", 0..6)]
     {

@@ -3,6 +3,7 @@
 //! The onboard software flies between set points and turns, and Vicon is away for 15 s of every minute and a half, so
 //! that every filter works with each of its sources. A run that leaves something out flies a twentieth of it.
 
+use bessemer::requirement;
 use bessemer_words::{digest, words};
 use models::{Alarm, Inputs, Mode, Onboard, Outputs, Settings};
 use nalgebra::{Matrix3, Matrix6};
@@ -35,6 +36,7 @@ fn are_covariances(onboard: &Onboard) -> bool {
 }
 
 #[test]
+#[requirement("HLR-26")]
 fn covariances_stay_symmetric_and_positive_for_a_million_periods_of_flight() {
     let whole = std::env::var("BESSEMER_FULL").is_ok_and(|value| value == "1");
     let periods: u32 = if whole { 1_000_000 } else { 50_000 };

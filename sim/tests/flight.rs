@@ -1,5 +1,6 @@
 //! The flight that uses every channel of the controller: it settles, saturates and lands.
 
+use bessemer::requirement;
 use models::Parameters;
 use sim::verdict::{judge, saturations, settled};
 use sim::{Flight, Mission, Native, Tolerance, Vehicle, fly};
@@ -13,6 +14,7 @@ fn flown() -> (Mission, Flight) {
 }
 
 #[test]
+#[requirement("HLR-06")]
 fn it_settles_after_each_manoeuvre_and_lands() {
     let (mission, flight) = flown();
     let tolerance = Tolerance::default();

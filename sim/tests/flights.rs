@@ -2,13 +2,14 @@
 
 use std::env::var_os;
 
+use bessemer::requirement;
 use bessemer_store::once;
 use bessemer_words::record::{self, Recorder};
-use models::{Inputs, Onboard, Outputs, Settings};
+use models::{Injection, Inputs, Mode, Onboard, Outputs, Settings};
 use sim::computer::{Computer, Native};
 use sim::flights::{FLIGHTS, find};
-use sim::ground_station::Record;
-use sim::scenario::Scenario;
+use sim::ground_station::{Order, Record};
+use sim::scenario::{Scenario, point};
 use sim::voyage::{Voyage, fly};
 
 /// The models, with their calls recorded for a dossier.
@@ -34,6 +35,7 @@ fn flown(scenario: &Scenario) -> Voyage {
 }
 
 #[test]
+#[requirement("HLR-07", "HLR-08", "HLR-18", "HLR-23", "HLR-38")]
 fn every_flight_is_as_it_should_be() {
     // A dossier needs the calls each time.
     once("every flight", &var_os(record::FOLDER), fly_them_all);
@@ -54,6 +56,7 @@ fn fly_them_all() {
 }
 
 #[test]
+#[requirement("HLR-07", "HLR-23", "HLR-38")]
 fn other_seeds_do_as_well() {
     once("other seeds", &(), fly_other_seeds);
 }
@@ -90,6 +93,24 @@ fn fly_with_mistaken_coefficients() {
 }
 
 #[test]
+#[requirement("HLR-19")]
+fn the_gain_of_the_feed_forward_grows_slowly() {
+    let points = [point(0.0, 0.0, 0.0, 1.0, 0.0)];
+    let mut scenario = Scenario::mambo(&points, 16.0, Mode::FeedForward);
+    scenario.settings.injection = Injection::constant(0.5);
+    scenario.orders.push((15.0, Order::Mode(Mode::ClosedLoop)));
+    scenario.orders.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let moments = flown(&scenario).moments;
+    let most = moments.iter().map(|it| it.outputs.gain).fold(0.0, f64::max);
+    assert!(most > 0.45, "it begins at 10 s: {most}");
+    let limit = 0.1 * scenario.settings.parameters.period + 1e-12;
+    for pair in moments.windows(2).filter(|pair| pair[1].outputs.reference.motors) {
+        let [before, after] = [0, 1].map(|n| pair[n].outputs.gain);
+        assert!((after - before).abs() <= limit, "{}: {before} {after}", pair[1].time);
+    }
+}
+
+#[test]
 fn a_seed_is_a_flight() {
     let scenario = (find("hover").expect("a flight").scenario)(7);
     let one = flown(&Scenario { seed: 7, ..scenario.clone() });
@@ -98,6 +119,7 @@ fn a_seed_is_a_flight() {
 }
 
 #[test]
+#[requirement("HLR-40")]
 fn what_was_logged_on_board_comes_down_whole() {
     let voyage = flown(&(find("hover").expect("a flight").scenario)(1));
     assert!(voyage.records.len() > 600, "{}", voyage.records.len());
