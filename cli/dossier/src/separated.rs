@@ -26,6 +26,15 @@ pub(crate) fn reader(text: &str, rows: Rows) -> csv::Reader<&[u8]> {
         .from_reader(text.as_bytes())
 }
 
+/// Returns the line of a record, from 1. Its position may be at an empty line above it.
+pub(crate) fn line(text: &str, record: &csv::StringRecord) -> u64 {
+    let text = unmarked(text).as_bytes();
+    let at = record.position().map_or(0, csv::Position::byte) as usize;
+    let empty = text.iter().skip(at).take_while(|byte| matches!(byte, b'\r' | b'\n')).count();
+    let before = text.iter().take(at + empty);
+    before.filter(|byte| **byte == b'\n').count() as u64 + 1
+}
+
 fn separator(text: &str) -> u8 {
     let first = text.lines().next().unwrap_or_default();
     let count = |it: &u8| first.bytes().filter(|byte| byte == it).count();

@@ -54,7 +54,7 @@ pub fn read(text: &str) -> Result<Vec<Row>, Error> {
     let mut rows = Vec::new();
     for record in reader.records() {
         let record = record.map_err(|error| wrong(&error))?;
-        let line = record.position().map_or(1, csv::Position::line);
+        let line = separated::line(text, &record);
         let cell = |at: usize| match record.get(at).unwrap_or_default() {
             "" => Err(Error::Row { line, why: format!("`{}` is empty", &head[at]) }),
             text => Ok(text.to_owned()),

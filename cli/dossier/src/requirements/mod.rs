@@ -2,6 +2,7 @@
 //!
 //! Must not know: how tests are run, or how the matrix is shown.
 
+mod reqif;
 pub mod rust;
 pub mod table;
 
@@ -36,6 +37,21 @@ pub struct Test {
     pub result: String,
 }
 
+/// An item or a test with the requirements that it names.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Traced {
+    /// Name of the item or the test.
+    pub name: String,
+    /// Its place.
+    pub place: String,
+    /// Its functions, types and constants of the C.
+    pub c: Vec<Named>,
+    /// Result of a test; empty for an item.
+    pub result: String,
+    /// Identifiers of its requirements.
+    pub requirements: Vec<String>,
+}
+
 /// A row of the matrix.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Row {
@@ -58,36 +74,43 @@ pub struct Row {
 pub struct Matrix {
     /// Rows in the order of the list, then those that only the sources name.
     pub rows: Vec<Row>,
-    /// Identifiers that the sources name and the list does not have.
-    pub unknown: Vec<String>,
+    /// Items that name a requirement, in the order of the sources.
+    pub traced: Vec<Traced>,
+    /// Tests that name a requirement.
+    pub traced_tests: Vec<Traced>,
+    /// Identifiers that the sources name and the list does not have, with each place.
+    pub unknown: Vec<Named>,
     /// Functions of the models without a requirement.
     pub untraced: Vec<Named>,
     /// Tests without a requirement.
     pub untraced_tests: Vec<Test>,
-    /// True if a list was read.
-    pub listed: bool,
+    /// Path of the list; empty if none was read.
+    pub list: String,
 }
 
 impl Matrix {
-    /// Builds the matrix of a list, if there is one, and the items of all sources.
+    /// Builds the matrix of a list with its path, if there is one, and the items of all sources.
     pub fn of(
-        list: Option<&[Requirement]>,
+        list: Option<(&str, &[Requirement])>,
         items: &[Item],
         c: &Folder,
         results: &Results,
     ) -> Matrix {
+        let (path, list) = list.unwrap_or_default();
         let named: BTreeSet<&String> = items.iter().flat_map(|it| &it.requirements).collect();
-        let mut ids: Vec<(String, String)> = Vec::new();
-        for it in list.unwrap_or_default() {
-            ids.push((it.id.clone(), it.text.clone()));
-        }
-        let mut unknown = Vec::new();
-        for id in named {
-            if !ids.iter().any(|(known, _)| known == id) {
-                ids.push((id.clone(), String::new()));
-                unknown.extend(list.is_some().then(|| id.clone()));
-            }
-        }
+        let listed: BTreeSet<&String> = list.iter().map(|it| &it.id).collect();
+        let mut ids: Vec<(String, String)> =
+            list.iter().map(|it| (it.id.clone(), it.text.clone())).collect();
+        let others = named.difference(&listed).copied();
+        ids.extend(others.clone().map(|id| (id.clone(), String::new())));
+        let places = |id: &String| {
+            let own = items.iter().filter(|it| it.requirements.contains(id));
+            own.map(|it| Named { name: id.clone(), place: place(it) }).collect::<Vec<_>>()
+        };
+        let unknown = match path {
+            "" => Vec::new(),
+            _ => others.flat_map(places).collect(),
+        };
         let has = |it: &&Item, id: &str| it.requirements.iter().any(|own| own == id);
         let rows = ids.into_iter().map(|(id, text)| {
             let own = || items.iter().filter(|it| has(it, &id));
@@ -99,10 +122,24 @@ impl Matrix {
             Row { rust: rust.into_iter().map(named_item).collect(), c, tests, verdict, id, text }
         });
         let rows = rows.collect();
+        let traced = |it: &Item, c: Vec<Named>, result: String| Traced {
+            name: it.name.clone(),
+            place: place(it),
+            c,
+            result,
+            requirements: it.requirements.clone(),
+        };
+        let some = |is_test: bool| {
+            items.iter().filter(move |it| !it.requirements.is_empty() && it.is_test == is_test)
+        };
         let none = |it: &&Item| it.requirements.is_empty();
         let becomes_c = |it: &&Item| it.is_function && !it.is_test && !in_c(it, c).is_empty();
         Matrix {
             rows,
+            traced: some(false).map(|it| traced(it, in_c(it, c), String::new())).collect(),
+            traced_tests: some(true)
+                .map(|it| traced(it, Vec::new(), test(it, results).result))
+                .collect(),
             unknown,
             untraced: items.iter().filter(none).filter(becomes_c).map(named_item).collect(),
             untraced_tests: items
@@ -111,8 +148,37 @@ impl Matrix {
                 .filter(|it| it.is_test)
                 .map(|it| test(it, results))
                 .collect(),
-            listed: list.is_some(),
+            list: path.to_owned(),
         }
+    }
+
+    /// Returns the count of each verdict with the requirements that have not passed, and what names none: one line each.
+    pub fn summary(&self) -> Vec<String> {
+        if self.rows.is_empty() && self.list.is_empty() {
+            return Vec::new();
+        }
+        let mut verdicts: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for row in &self.rows {
+            verdicts.entry(&row.verdict).or_default().push(&row.id);
+        }
+        let all = self.rows.len();
+        let counts = verdicts.iter().map(|(verdict, ids)| match ids.len() == all {
+            true => format!("{all} {verdict}"),
+            false if *verdict == "passed" => format!("{} passed", ids.len()),
+            false => format!("{} {verdict}: {}", ids.len(), ids.join(" ")),
+        });
+        let list = match &*self.list {
+            "" => "of no list".to_owned(),
+            path => format!("of `{path}`"),
+        };
+        let counts: Vec<String> = counts.collect();
+        let mut lines = vec![format!("{all} {list}; {}", counts.join("; "))];
+        for it in &self.unknown {
+            lines.push(format!("`{}` at {} is not in the list", it.name, it.place));
+        }
+        let (items, tests) = (self.untraced.len(), self.untraced_tests.len());
+        lines.push(format!("no requirement is named by {items} functions and {tests} tests"));
+        lines
     }
 
     /// Returns the rows as tables and other tools take them.
@@ -135,8 +201,12 @@ impl Matrix {
     }
 }
 
+fn place(it: &Item) -> String {
+    format!("{}:{}", it.file, it.line)
+}
+
 fn named_item(it: &Item) -> Named {
-    Named { name: it.name.clone(), place: format!("{}:{}", it.file, it.line) }
+    Named { name: it.name.clone(), place: place(it) }
 }
 
 fn test(it: &Item, results: &Results) -> Test {
@@ -145,11 +215,7 @@ fn test(it: &Item, results: &Results) -> Test {
         Some(false) => "failed",
         None => "not run",
     };
-    Test {
-        name: it.name.clone(),
-        place: format!("{}:{}", it.file, it.line),
-        result: result.to_owned(),
-    }
+    Test { name: it.name.clone(), place: place(it), result: result.to_owned() }
 }
 
 fn verdict(rust: &[&Item], tests: &[Test]) -> String {
@@ -178,8 +244,43 @@ fn in_c(item: &Item, c: &Folder) -> Vec<Named> {
                 found.push(Named { name: function.name.clone(), place });
             }
         }
+        if item.is_function {
+            continue;
+        }
+        let lines: Vec<&str> = file.text.lines().collect();
+        for row in file.rows.iter().filter(|row| row.rust_file == item.file) {
+            let within = (item.line..=item.last_line).contains(&row.rust_line);
+            let Some(name) = declared(&lines, row.c_line).filter(|_| within) else { continue };
+            if !found.iter().any(|it| it.name == name) {
+                found.push(Named { name, place: format!("{}:{}", file.name, row.c_line) });
+            }
+        }
     }
     found
+}
+
+/// Returns the name of the type or the constant that is declared at a line; none for anything else.
+fn declared(lines: &[&str], line: u32) -> Option<String> {
+    let rest = lines.get((line as usize).checked_sub(1)?..)?;
+    let first = rest.first()?.trim();
+    let is_name = |it: &&str| !it.is_empty() && !it.contains(|c: char| !is_of_name(c));
+    if let Some(defined) = first.strip_prefix("#define ") {
+        return defined.split(|c| !is_of_name(c)).next().filter(is_name).map(str::to_owned);
+    }
+    if first.starts_with("typedef ") {
+        let last = rest.iter().find_map(|it| it.strip_prefix("} "))?;
+        return last.strip_suffix(';').filter(is_name).map(str::to_owned);
+    }
+    let is_constant = ["static const ", "extern const ", "const "];
+    if !is_constant.iter().any(|it| first.starts_with(it)) {
+        return None;
+    }
+    let before = first.split(['=', '[', ';']).next()?.trim_end();
+    before.rsplit(|c| !is_of_name(c)).next().filter(is_name).map(str::to_owned)
+}
+
+fn is_of_name(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_'
 }
 
 #[cfg(test)]
@@ -230,7 +331,7 @@ mod tests {
             ("tests/a.rs:holds".to_owned(), true),
             ("tests/a.rs:falls".to_owned(), false),
         ]);
-        let matrix = Matrix::of(Some(&list), &items, &c(), &results);
+        let matrix = Matrix::of(Some(("hlr.csv", &list)), &items, &c(), &results);
         let rows: Vec<_> = matrix.cells().iter().map(|row| row.join("|")).collect();
         assert_eq!(
             rows,
@@ -242,11 +343,57 @@ mod tests {
             ]
         );
         let names = |list: &[Named]| list.iter().map(|it| it.name.clone()).collect::<Vec<_>>();
-        assert_eq!(matrix.unknown, ["X"]);
+        let unknown = Named { name: "X".to_owned(), place: "src/lib.rs:8".to_owned() };
+        assert_eq!(matrix.unknown, [unknown]);
         assert_eq!(names(&matrix.untraced), ["Motor::stop"]);
         assert_eq!(matrix.untraced_tests.len(), 1);
+        // And back: from an item and a test to its requirements.
+        let back = |list: &[Traced]| {
+            let one = |it: &Traced| {
+                let c: Vec<_> = it.c.iter().map(|it| &*it.name).collect();
+                [&it.name, &*c.join(" "), &it.result, &*it.requirements.join(" ")].join("|")
+            };
+            list.iter().map(one).collect::<Vec<_>>()
+        };
+        assert_eq!(back(&matrix.traced), ["Motor::step|motor_step||A B X"]);
+        assert_eq!(back(&matrix.traced_tests), ["holds||passed|A", "falls||failed|B"]);
+        assert_eq!(
+            matrix.summary(),
+            [
+                "4 of `hlr.csv`; 1 failed: B; 1 no Rust: C; 1 no test: X; 1 passed",
+                "`X` at src/lib.rs:8 is not in the list",
+                "no requirement is named by 1 functions and 1 tests",
+            ]
+        );
         let without = Matrix::of(None, &items, &c(), &Results::new());
         assert!(without.unknown.is_empty() && without.rows.len() == 3);
+        assert!(Matrix::of(None, &[], &c(), &Results::new()).summary().is_empty());
         assert_eq!(without.rows[0].verdict, "not run");
+    }
+
+    #[test]
+    fn types_and_constants_lead_to_their_declarations() {
+        let texts = BTreeMap::from([
+            (
+                "motor.h".to_owned(),
+                "#define MOTOR_SPEED 4\ntypedef struct {\n    int a;\n} motor_t;\nextern const double TABLE[2];\n".to_owned(),
+            ),
+            (
+                "motor.h.map".to_owned(),
+                "1\tsrc/lib.rs:2\tm::SPEED\n2\tsrc/lib.rs:5\t\n5\tsrc/lib.rs:9\tm::TABLE\n".to_owned(),
+            ),
+            ("motor.c".to_owned(), "static const double LIMIT = 0.5;\n".to_owned()),
+            ("motor.c.map".to_owned(), "1\tsrc/lib.rs:12\tm::LIMIT\n".to_owned()),
+        ]);
+        let c = Folder::of(&texts, Path::new("x")).expect("a folder");
+        let names = |lines: (u32, u32)| {
+            let item = Item { is_function: false, ..item("x", lines, false, &[]) };
+            in_c(&item, &c).into_iter().map(|it| it.name).collect::<Vec<_>>()
+        };
+        assert_eq!(names((1, 2)), ["MOTOR_SPEED"]);
+        assert_eq!(names((4, 7)), ["motor_t"]);
+        assert_eq!(names((8, 9)), ["TABLE"]);
+        assert_eq!(names((11, 12)), ["LIMIT"]);
+        assert!(names((20, 30)).is_empty());
     }
 }
