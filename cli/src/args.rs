@@ -299,7 +299,8 @@ pub struct Dossier {
     /// Compare this dossier with the sources, and write nothing
     #[arg(long, value_name = "FOLDER", conflicts_with_all = ["requirements", "inputs", "since", "quick", "tests", "reasons", "fill"])]
     pub check: Option<PathBuf>,
-    /// The list of requirements: CSV with the columns `id` and `text`, or ReqIF
+    /// The list of requirements: CSV with the columns `id` and `text`, or ReqIF [default: requirements.csv or
+    /// requirements.reqif beside the package's Cargo.toml]
     #[arg(long, value_name = "FILE")]
     pub requirements: Option<PathBuf>,
     /// Recorded inputs for the coverage: an entry point and a file as `verify --inputs` takes it
@@ -309,6 +310,7 @@ pub struct Dossier {
     #[arg(long, value_name = "PACKAGE")]
     pub tests: Vec<String>,
     /// Reasons why conditions and statements need no further test: CSV with the columns `function`, `code` and `reason`
+    /// [default: coverage.csv beside the package's Cargo.toml]
     #[arg(long, value_name = "FILE")]
     pub reasons: Option<PathBuf>,
     /// Search for calls that raise the coverage, in this number of rounds

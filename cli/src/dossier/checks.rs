@@ -2,6 +2,7 @@
 //!
 //! Invariant: a figure has no date, no time and no path of this machine.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
 
@@ -14,6 +15,7 @@ use bessemer_dossier::requirements::rust::Item;
 use bessemer_legs::toolchain::{self, GCC, Toolchain};
 use bessemer_project::Project;
 use bessemer_words::record;
+use serde_json::Value;
 use tempfile::TempDir;
 
 use super::outcome;
@@ -90,6 +92,8 @@ pub fn tests(project: &Project, others: &[String], items: &[Item]) -> Tested {
     let recorded = tempfile::tempdir().ok();
     let mut command = Command::new(cargo);
     command.args(["test", "--no-fail-fast", "--color", "never"]);
+    // Which source a program was built of: two packages may have tests of one name.
+    command.args(["--message-format", "json-render-diagnostics"]);
     command.args(&packages).current_dir(&project.workspace.root);
     if let Some(folder) = &recorded {
         command.env(record::FOLDER, folder.path());
@@ -105,7 +109,7 @@ pub fn tests(project: &Project, others: &[String], items: &[Item]) -> Tested {
         Ok(said) => said,
         Err(error) => return none(error.to_string()),
     };
-    let results = results(&said, items, &project.package.folder, &project.workspace.root);
+    let results = results(&said, items, &project.workspace.root);
     if results.all == 0 {
         let errors = said.lines().find(|line| line.starts_with("error"));
         let (verdict, detail) = match errors {
@@ -140,18 +144,34 @@ struct Counted {
     by_name: Results,
 }
 
-/// Reads what `cargo test` prints.
-fn results(said: &str, items: &[Item], package: &Path, root: &Path) -> Counted {
+/// Returns the name of a test program and its first source, from the workspace, by a message of cargo.
+fn program(line: &str, root: &Path) -> Option<(String, String)> {
+    let message: Value = serde_json::from_str(line).ok()?;
+    let executable = message["executable"].as_str()?;
+    let source = Path::new(message["target"]["src_path"].as_str()?);
+    Some((file_name(executable), slashes(source.strip_prefix(root).ok()?)))
+}
+
+fn file_name(path: &str) -> String {
+    path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned()
+}
+
+fn slashes(path: &Path) -> String {
+    path.to_string_lossy().replace('\\', "/")
+}
+
+/// Reads what `cargo test` prints, with its messages.
+fn results(said: &str, items: &[Item], root: &Path) -> Counted {
     let mut found = Counted::default();
-    let before = package.strip_prefix(root).unwrap_or(package).to_string_lossy().replace('\\', "/");
-    let before = if before.is_empty() { String::new() } else { format!("{before}/") };
+    let messages = said.lines().filter(|line| line.starts_with('{'));
+    let programs: BTreeMap<_, _> = messages.filter_map(|line| program(line, root)).collect();
+    // First source of the running program, from the workspace.
     let mut file = String::new();
     for line in said.lines() {
         let line = line.trim();
         if let Some(rest) = line.strip_prefix("Running ") {
-            let rest = rest.strip_prefix("unittests ").unwrap_or(rest);
-            let path = rest.split(" (").next().unwrap_or_default().replace('\\', "/");
-            file = path.rsplit_once(&before).map_or(path.clone(), |(_, path)| path.to_owned());
+            let built = rest.rsplit_once(" (").map_or(rest, |(_, it)| it.trim_end_matches(')'));
+            file = programs.get(&file_name(built)).cloned().unwrap_or_default();
             continue;
         }
         if line.starts_with("Doc-tests ") {
@@ -168,11 +188,11 @@ fn results(said: &str, items: &[Item], package: &Path, root: &Path) -> Counted {
             "FAILED" => false,
             _ => continue,
         };
+        let name = name.strip_suffix(" - should panic").unwrap_or(name);
         found.all += 1;
         found.failed += usize::from(!passed);
         let own = items.iter().filter(|it| it.is_test).find(|it| {
-            let path = it.file.strip_prefix(&before).unwrap_or(&it.file);
-            in_program(path, &file).is_some_and(|module| {
+            in_program(&it.file, &file).is_some_and(|module| {
                 let full = match module.is_empty() {
                     true => it.name.clone(),
                     false => format!("{module}::{}", it.name),
@@ -192,10 +212,8 @@ fn in_program(path: &str, root: &str) -> Option<String> {
     if path == root {
         return Some(String::new());
     }
-    let folder = match root.rsplit_once('/') {
-        Some((folder, "lib.rs" | "main.rs" | "mod.rs")) => folder.to_owned(),
-        _ => root.strip_suffix(".rs")?.to_owned(),
-    };
+    // Modules of a program are beside its first source.
+    let (folder, _) = root.rsplit_once('/')?;
     let inner = path.strip_prefix(&format!("{folder}/"))?.strip_suffix(".rs")?;
     Some(inner.strip_suffix("/mod").unwrap_or(inner).replace('/', "::"))
 }
@@ -341,6 +359,7 @@ pub fn sizes(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
 
     fn item(file: &str, name: &str) -> Item {
         Item {
@@ -374,17 +393,36 @@ mod tests {
             item("models/src/height.rs", "tests::holds"),
             item("models/tests/course.rs", "holds"),
             item("models/tests/gate.rs", "holds"),
+            item("models/tests/shared/mod.rs", "falls"),
+            item("sim/tests/course.rs", "holds"),
         ];
-        let said = "     Running unittests src/lib.rs (target/debug/deps/models-1)\n\
-test height::tests::holds ... ok\n     Running tests/course.rs (target/debug/deps/course-1)\n\
-test holds ... FAILED\ntest other ... ignored, slow\n   Doc-tests models\ntest holds ... ok\n";
-        let found = results(said, &items, Path::new("/w/models"), Path::new("/w"));
-        assert_eq!((found.all, found.failed), (3, 1));
+        let message = |name: &str, source: &str| {
+            let target = json!({ "src_path": format!("/w/{source}") });
+            json!({ "executable": format!("/t/{name}"), "target": target }).to_string()
+        };
+        let said = [
+            message("models-1", "models/src/lib.rs"),
+            message("course-1", "models/tests/course.rs"),
+            message("course-2", "sim/tests/course.rs"),
+            json!({ "reason": "build-finished" }).to_string(),
+            "     Running unittests src/lib.rs (target/debug/deps/models-1)".to_owned(),
+            "test height::tests::holds ... ok".to_owned(),
+            "     Running tests/course.rs (target/debug/deps/course-1)".to_owned(),
+            "test holds ... FAILED\ntest other ... ignored, slow".to_owned(),
+            "test shared::falls - should panic ... ok".to_owned(),
+            "     Running tests/course.rs (target/debug/deps/course-2)".to_owned(),
+            "test holds ... ok\n   Doc-tests models\ntest holds ... ok".to_owned(),
+        ];
+        let found = results(&said.join("\n"), &items, Path::new("/w"));
+        assert_eq!((found.all, found.failed), (5, 1));
+        let one = |name: &str, passed| (name.to_owned(), passed);
         assert_eq!(
             found.by_name,
             Results::from([
-                ("models/src/height.rs:tests::holds".to_owned(), true),
-                ("models/tests/course.rs:holds".to_owned(), false),
+                one("models/src/height.rs:tests::holds", true),
+                one("models/tests/course.rs:holds", false),
+                one("models/tests/shared/mod.rs:falls", true),
+                one("sim/tests/course.rs:holds", true),
             ])
         );
     }

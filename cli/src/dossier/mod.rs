@@ -35,6 +35,11 @@ use crate::error::Error;
 use crate::verify::covered::{self, Sources};
 use crate::verify::search::Search;
 
+/// Names of the list of requirements beside the package's manifest.
+const REQUIREMENTS: [&str; 2] = ["requirements.csv", "requirements.reqif"];
+/// Name of the table of reasons beside the package's manifest.
+const REASONS: &str = "coverage.csv";
+
 /// Reason why a dossier cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum Wrong {
@@ -105,9 +110,7 @@ impl Wrong {
         Some(match self {
             Wrong::Stale { .. } => "write it anew: `cargo bessemer gen`, and review it".to_owned(),
             Wrong::Source { .. } => return None,
-            Wrong::Requirements { .. } => {
-                "pass CSV with a column `id` and one `text`, or ReqIF".to_owned()
-            }
+            Wrong::Requirements { why, .. } => why.remedy().to_owned(),
             Wrong::Reasons { .. } => {
                 "pass CSV whose first line is `function,code,reason`".to_owned()
             }
@@ -138,13 +141,21 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
     }
     let inputs = wanted.inputs.iter().map(|said| input(said));
     let recordings = inputs.collect::<Result<Vec<_>, _>>()?;
-    let list = wanted.requirements.as_deref().map(requirements).transpose()?;
-    let reasons = wanted.reasons.as_deref().map(reasons).transpose()?.unwrap_or_default();
-    let items = sources::items(&project)?;
+    let root = &project.workspace.root;
+    let say = |step: &str| anstream::eprintln!("dossier: {step}");
+    let list_file = beside(&project, &wanted.requirements, &REQUIREMENTS);
+    let reasons_file = beside(&project, &wanted.reasons, &[REASONS]);
+    for (what, path) in [("requirements", &list_file), ("reasons", &reasons_file)] {
+        if let Some(path) = path {
+            say(&format!("{what} are those of {}", shown(root, path)));
+        }
+    }
+    let list = list_file.as_deref().map(requirements).transpose()?;
+    let reasons = reasons_file.as_deref().map(reasons).transpose()?.unwrap_or_default();
+    let items = sources::items(&project, &wanted.tests)?;
     let earlier = wanted.since.as_deref().map(|tag| sources::earlier(&project, tag, colour));
     let earlier = earlier.transpose()?;
 
-    let say = |step: &str| anstream::eprintln!("dossier: {step}");
     say("compiling the models");
     let job = project.job(colour);
     let compiled = generate::compiled(&job).map_err(bessemer_project::Error::from)?.compiled;
@@ -199,7 +210,6 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
         }
     }
     say("writing the pages");
-    let root = &project.workspace.root;
     let rust = sources::rust_texts(root, &c);
     let change = earlier.as_ref().map(|earlier| {
         let now_manifest = std::fs::read_to_string(job.output.join("manifest.json"));
@@ -220,7 +230,9 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
         change::change(&earlier.tag, &before, &now, &items)
     });
     let lock = std::fs::read_to_string(root.join("Cargo.lock")).unwrap_or_default();
-    let matrix = Matrix::of(list.as_deref(), &items, &c, &of_tests);
+    let path = list_file.as_deref().map(|path| shown(root, path)).unwrap_or_default();
+    let list = list.as_deref().map(|list| (&*path, list));
+    let matrix = Matrix::of(list, &items, &c, &of_tests);
     let failed = results.iter().any(|it| it.verdict == checks::FAILED);
     let content = Content {
         package: project.package.name.clone(),
@@ -237,11 +249,17 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
         traced: traced(&c),
         ..content(&compiled, &c, &calls, &estimates, matrix)
     };
-    let files = files(&project, &c, &content, &lock)?;
+    let tests = items.iter().filter(|it| it.is_test).map(|it| PathBuf::from(&it.file));
+    let lists = list_file.iter().chain(&reasons_file).filter_map(|path| within(root, path));
+    let others: Vec<PathBuf> = tests.chain(lists).map(|path| root.join(path)).collect();
+    let files = files(&project, &c, &content, &lock, &others)?;
     output::write(&place, &files).map_err(Wrong::from)?;
     let mut text = String::new();
     for it in &content.results {
         text += &format!("{:<8}  {}: {}\n", it.verdict, it.what, it.detail);
+    }
+    for line in content.matrix.summary() {
+        text += &format!("requirements: {line}\n");
     }
     text += &format!("{} files in {}\n", files.len(), wanted.output.display());
     Ok((text, !failed))
@@ -291,9 +309,10 @@ fn files(
     c: &Folder,
     content: &Content,
     lock: &str,
+    others: &[PathBuf],
 ) -> Result<BTreeMap<String, String>, Error> {
     let root = &project.workspace.root;
-    let mut manifest = sources::manifest(project, c, &content.tool, &content.rustc)?;
+    let mut manifest = sources::manifest(project, c, &content.tool, &content.rustc, others)?;
     let identity = vec![
         ("package".to_owned(), format!("{} {}", content.package, project.package.version)),
         ("bessemer".to_owned(), content.tool.clone()),
@@ -326,7 +345,10 @@ fn compared(project: &Project, dossier: &Path, colour: bool) -> Result<(String, 
     let before = output::manifest(dossier).map_err(Wrong::from)?;
     let c = Folder::read(&project.job(colour).output)?;
     let tool = env!("CARGO_PKG_VERSION");
-    let mut today = sources::manifest(project, &c, tool, &checks::rustc())?;
+    // Tests of other packages, and lists elsewhere, are in the dossier only.
+    let others: Vec<PathBuf> =
+        before.sources.keys().map(|path| project.workspace.root.join(path)).collect();
+    let mut today = sources::manifest(project, &c, tool, &checks::rustc(), &others)?;
     let is_page = |path: &Path| path.file_name().is_some_and(|name| name != manifest::NAME);
     manifest::add_folder(dossier, dossier, &is_page, &mut today.outputs)
         .map_err(|(path, source)| Error::File { path, source })?;
@@ -377,6 +399,24 @@ fn input(said: &str) -> Result<(String, PathBuf), Error> {
         Ok(_) => Ok((entry.to_owned(), path)),
         Err(source) => Err(Error::File { path, source }),
     }
+}
+
+/// Returns the file that a user passed, or the first of these names beside the package's manifest.
+fn beside(project: &Project, passed: &Option<PathBuf>, names: &[&str]) -> Option<PathBuf> {
+    let own = names.iter().map(|name| project.package.folder.join(name));
+    passed.clone().or_else(|| own.into_iter().find(|path| path.is_file()))
+}
+
+/// Returns the path of a file from the workspace; none if it is elsewhere.
+fn within(root: &Path, path: &Path) -> Option<PathBuf> {
+    let (root, path) = (root.canonicalize().ok()?, path.canonicalize().ok()?);
+    path.strip_prefix(root).ok().map(Path::to_owned)
+}
+
+/// Returns a path from the workspace, or the name of a file that is elsewhere.
+fn shown(root: &Path, path: &Path) -> String {
+    let short = within(root, path).or_else(|| path.file_name().map(PathBuf::from));
+    sources::relative(root, &short.unwrap_or_default())
 }
 
 fn requirements(path: &Path) -> Result<Vec<Requirement>, Error> {

@@ -27,8 +27,14 @@ fn failed((path, source): (PathBuf, std::io::Error)) -> Error {
     Error::File { path, source }
 }
 
-/// Returns the hashes of sources and C.
-pub fn manifest(project: &Project, c: &Folder, tool: &str, rustc: &str) -> Result<Manifest, Error> {
+/// Returns the hashes of sources and C. `others` are files that the dossier has besides.
+pub fn manifest(
+    project: &Project,
+    c: &Folder,
+    tool: &str,
+    rustc: &str,
+    others: &[PathBuf],
+) -> Result<Manifest, Error> {
     let root = &project.workspace.root;
     let mut sources = Hashes::new();
     let wanted = |path: &Path| is_source(project, path);
@@ -38,7 +44,8 @@ pub fn manifest(project: &Project, c: &Folder, tool: &str, rustc: &str) -> Resul
     let files: BTreeSet<&String> = rows.map(|row| &row.rust_file).collect();
     let more = files.into_iter().map(|file| root.join(file));
     let settings = project.file.clone().into_iter().chain([root.join("Cargo.lock")]);
-    for path in more.chain(settings).filter(|path| path.is_file()) {
+    let all = more.chain(settings).chain(others.iter().cloned());
+    for path in all.filter(|path| path.is_file()) {
         manifest::add_file(root, &path, &mut sources).map_err(failed)?;
     }
     let output = project.job(false).output;
@@ -64,18 +71,30 @@ pub fn digest(hashes: &Hashes) -> String {
     format!("{} ({} files)", manifest::hash(all.as_bytes()), hashes.len())
 }
 
-fn relative(root: &Path, path: &Path) -> String {
+/// Returns a path from the workspace.
+pub fn relative(root: &Path, path: &Path) -> String {
     path.strip_prefix(root).unwrap_or(path).to_string_lossy().replace('\\', "/")
 }
 
-/// Returns the items of all Rust sources of the package, also of its tests.
-pub fn items(project: &Project) -> Result<Vec<Item>, Error> {
+/// Returns the items of all Rust sources of the package, also of its tests, and the tests of other packages.
+pub fn items(project: &Project, others: &[String]) -> Result<Vec<Item>, Error> {
+    let mut items = items_in(project, &project.package.folder)?;
+    for name in others.iter().filter(|it| **it != project.package.name) {
+        let member = project.workspace.member(name).map_err(bessemer_project::Error::from)?;
+        let found = items_in(project, &member.folder)?;
+        let known: BTreeSet<String> = items.iter().map(|it| it.file.clone()).collect();
+        items.extend(found.into_iter().filter(|it| it.is_test && !known.contains(&it.file)));
+    }
+    Ok(items)
+}
+
+fn items_in(project: &Project, folder: &Path) -> Result<Vec<Item>, Error> {
     let root = &project.workspace.root;
     let mut names = Hashes::new();
     let wanted = |path: &Path| {
         is_source(project, path) && (path.is_dir() || path.extension().is_some_and(|it| it == "rs"))
     };
-    manifest::add_folder(root, &project.package.folder, &wanted, &mut names).map_err(failed)?;
+    manifest::add_folder(root, folder, &wanted, &mut names).map_err(failed)?;
     let mut items = Vec::new();
     for name in names.into_keys() {
         let path = root.join(&name);

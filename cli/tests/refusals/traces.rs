@@ -160,7 +160,8 @@ pub const CASES: &[Case<'static>] = &[
         name: "two requirements of one name",
         files: &[PACKAGE[0], RUST, PACKAGE[2], PACKAGE[3], C, MAP, ("hlr.csv", "id\nA\nA\n")],
         words: &["dossier", "--requirements", "hlr.csv"],
-        said: "`hlr.csv`: `A` is there twice",
+        said: "`hlr.csv`: line 3: `A` is there twice, first in line 2",
+        remedy: "an identifier of its own",
         ..PLAIN
     },
     Case {
@@ -175,7 +176,7 @@ pub const CASES: &[Case<'static>] = &[
             ("hlr.reqif", "<REQ-IF></other>"),
         ],
         words: &["dossier", "--requirements", "hlr.reqif"],
-        said: "`hlr.reqif`: byte ",
+        said: "`hlr.reqif`: line 1: ",
         remedy: "or ReqIF",
         ..PLAIN
     },
@@ -286,7 +287,62 @@ pub const CASES: &[Case<'static>] = &[
             ("hlr.csv", "id,text\nA,B\n,C\n"),
         ],
         words: &["dossier", "--requirements", "hlr.csv"],
-        said: "`hlr.csv`: requirement ",
+        said: "`hlr.csv`: line 3: the requirement has no identifier",
+        remedy: "give the requirement an identifier",
+        ..PLAIN
+    },
+    Case {
+        name: "a requirement whose text has a separator without quotes",
+        files: &[
+            PACKAGE[0],
+            RUST,
+            PACKAGE[2],
+            PACKAGE[3],
+            C,
+            MAP,
+            ("hlr.csv", "id,text\nA,B\nC,the motor stops, at once\n"),
+        ],
+        words: &["dossier", "--requirements", "hlr.csv"],
+        said: "`hlr.csv`: line 3: 3 cells below 2 columns",
+        remedy: "between quotes",
+        ..PLAIN
+    },
+    Case {
+        name: "an archive of requirements",
+        files: &[PACKAGE[0], RUST, PACKAGE[2], PACKAGE[3], C, MAP, ("hlr.reqifz", "PK\u{3}\u{4}x")],
+        words: &["dossier", "--requirements", "hlr.reqifz"],
+        said: "`hlr.reqifz`: this is an archive",
+        remedy: "unpack it",
+        ..PLAIN
+    },
+    Case {
+        name: "requirements beside the manifest that are wrong",
+        files: &[
+            PACKAGE[0],
+            RUST,
+            PACKAGE[2],
+            PACKAGE[3],
+            C,
+            MAP,
+            ("requirements.csv", "id\nA\nA\n"),
+        ],
+        words: &["dossier"],
+        said: "requirements.csv`: line 3: `A` is there twice",
+        ..PLAIN
+    },
+    Case {
+        name: "reasons beside the manifest that are wrong",
+        files: &[
+            PACKAGE[0],
+            RUST,
+            PACKAGE[2],
+            PACKAGE[3],
+            C,
+            MAP,
+            ("coverage.csv", "function\nA\n"),
+        ],
+        words: &["dossier"],
+        said: "coverage.csv`: the first line names no column `code`",
         ..PLAIN
     },
     Case {
