@@ -287,6 +287,27 @@ mod tests {
         assert!(row[1].contains(&format!(" of {patches} ")), "{patches}: {}", row[1]);
     }
 
+    /// The figures of random programs are those of their tests.
+    #[test]
+    fn the_page_has_the_numbers_of_random_programs() {
+        let found = std::fs::read_dir(root().join("tests/found")).expect("a folder").count();
+        let text = std::fs::read_to_string(root().join("tests/tests/random/mod.rs"));
+        let text = text.expect("the tests");
+        let number = |name: &str| {
+            let rest = text.split_once(&format!("const {name}: usize = ")).expect("a constant").1;
+            rest.split(';').next().expect("a number").to_owned()
+        };
+        let row = rows::<3>(TESTS).find(|row| row[0].contains("Random")).expect("a row");
+        let (fewer, all) = (number("FEWER"), number("PROGRAMS"));
+        for wanted in [
+            format!(" {fewer} programs "),
+            format!(" full run {all},"),
+            format!(" of the {found} "),
+        ] {
+            assert!(row[1].contains(&wanted), "{wanted}: {}", row[1]);
+        }
+    }
+
     #[test]
     fn there_are_forty_questions_and_each_has_an_answer() {
         let rows: Vec<_> = rows::<4>(QUESTIONS).collect();

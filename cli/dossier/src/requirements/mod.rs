@@ -14,6 +14,9 @@ use crate::trace::Folder;
 use rust::Item;
 use table::Requirement;
 
+/// Number of identifiers and places that a summary shows.
+const SHOWN: usize = 8;
+
 /// Results of tests by file and name.
 pub type Results = BTreeMap<String, bool>;
 
@@ -165,7 +168,7 @@ impl Matrix {
         let counts = verdicts.iter().map(|(verdict, ids)| match ids.len() == all {
             true => format!("{all} {verdict}"),
             false if *verdict == "passed" => format!("{} passed", ids.len()),
-            false => format!("{} {verdict}: {}", ids.len(), ids.join(" ")),
+            false => format!("{} {verdict}: {}", ids.len(), some(ids)),
         });
         let list = match &*self.list {
             "" => "of no list".to_owned(),
@@ -173,8 +176,11 @@ impl Matrix {
         };
         let counts: Vec<String> = counts.collect();
         let mut lines = vec![format!("{all} {list}; {}", counts.join("; "))];
-        for it in &self.unknown {
+        for it in self.unknown.iter().take(SHOWN) {
             lines.push(format!("`{}` at {} is not in the list", it.name, it.place));
+        }
+        if let more @ 1.. = self.unknown.len().saturating_sub(SHOWN) {
+            lines.push(format!("{more} more places name requirements that are not in the list"));
         }
         let (items, tests) = (self.untraced.len(), self.untraced_tests.len());
         lines.push(format!("no requirement is named by {items} functions and {tests} tests"));
@@ -198,6 +204,15 @@ impl Matrix {
             ]
         };
         self.rows.iter().map(cells).collect()
+    }
+}
+
+/// Returns the first identifiers, with the count of the others.
+fn some(ids: &[&str]) -> String {
+    let first = ids[..ids.len().min(SHOWN)].join(" ");
+    match ids.len().saturating_sub(SHOWN) {
+        0 => first,
+        more => format!("{first} and {more} more"),
     }
 }
 
@@ -367,6 +382,8 @@ mod tests {
         );
         let without = Matrix::of(None, &items, &c(), &Results::new());
         assert!(without.unknown.is_empty() && without.rows.len() == 3);
+        assert_eq!(some(&["A"; 8]), "A A A A A A A A");
+        assert_eq!(some(&["A"; 10]), "A A A A A A A A and 2 more");
         assert!(Matrix::of(None, &[], &c(), &Results::new()).summary().is_empty());
         assert_eq!(without.rows[0].verdict, "not run");
     }

@@ -1,7 +1,9 @@
 //! Files of results after kills, of other campaigns, and of shards.
 
 use bessemer_campaign::program::{Arguments, perform};
-use bessemer_campaign::{Campaign, Column, Error, Ledger, Row, Simple, Table, Value, read, run};
+use bessemer_campaign::{
+    Campaign, Column, Error, Ledger, Row, Simple, Table, Value, fingerprint, read, run,
+};
 use clap::Parser as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -224,4 +226,14 @@ fn after_an_error_of_the_caller_no_run_begins() {
     });
     assert!(failed.is_err());
     assert!(count < 1000, "{count} runs");
+}
+
+#[test]
+fn comments_and_requirements_change_no_hash() {
+    let plain = fingerprint(&["#[entry]\nfn step() {}\n"]);
+    let named = "/// Steps.\n\n  #[requirement(\"A\", \"B\")]\n#[entry]\nfn step() {}\n";
+    assert_eq!(fingerprint(&[named]), plain);
+    for other in ["#[entry(infallible)]\nfn step() {}", "#[entry]\nfn step() { stop() }"] {
+        assert_ne!(fingerprint(&[other]), plain);
+    }
 }
