@@ -88,11 +88,14 @@ pub fn items(project: &Project, others: &[String]) -> Result<Vec<Item>, Error> {
     Ok(items)
 }
 
+/// Returns the items of a package without those of the packages in its folders.
 fn items_in(project: &Project, folder: &Path) -> Result<Vec<Item>, Error> {
     let root = &project.workspace.root;
     let mut names = Hashes::new();
     let wanted = |path: &Path| {
-        is_source(project, path) && (path.is_dir() || path.extension().is_some_and(|it| it == "rs"))
+        let is_own = path == folder || !path.join("Cargo.toml").is_file();
+        let is_rust = path.extension().is_some_and(|it| it == "rs");
+        is_source(project, path) && is_own && (path.is_dir() || is_rust)
     };
     manifest::add_folder(root, folder, &wanted, &mut names).map_err(failed)?;
     let mut items = Vec::new();

@@ -30,6 +30,12 @@ pub fn run(package: &Path) {
     let folder = package.join("dossier");
     let source = package.join("src/lib.rs");
     let sound = fs::read_to_string(&source).expect("the model");
+    let test = package.join("tests/closed_loop.rs");
+    let plain = fs::read_to_string(&test).expect("the test");
+    let named = "#[test]\n#[bessemer::requirement(\"HLR-1\", \"HLR-9\")]";
+    fs::write(&test, plain.replacen("#[test]", named, 1)).expect("the test");
+    let list = package.join("requirements.csv");
+    fs::write(&list, "id,text\nHLR-1,\"The motor settles, soon\"\n").expect("a list");
     let (text, good) =
         dossier_of(package, &["--fill", "2"]).unwrap_or_else(|error| panic!("{error}"));
     assert!(good, "{text}");
@@ -50,6 +56,9 @@ pub fn run(package: &Path) {
     for part in ["motor_step", "id=\"questions\"", "MC/DC", "closed", "by --fill in 2 rounds"] {
         assert!(page.contains(part), "the page has no {part}");
     }
+    requirements(package, &text, &page);
+    fs::remove_file(&list).expect("the list");
+    fs::write(&test, plain).expect("the test");
     in_a_browser(&folder, package);
     let here = package.to_string_lossy().into_owned();
     for (name, bytes) in read(&folder) {
@@ -90,6 +99,33 @@ pub fn run(package: &Path) {
     fs::write(&c, whole).expect("the C");
     fs::remove_dir_all(&folder).expect("the dossier");
     since(package);
+}
+
+/// The list beside the manifest is found, the matrix leads both ways, and its exports are read again.
+fn requirements(package: &Path, text: &str, page: &str) {
+    let name = package.file_name().expect("a name").to_string_lossy().into_owned();
+    let lines: Vec<&str> =
+        text.lines().filter_map(|line| line.strip_prefix("requirements: ")).collect();
+    assert_eq!(lines[0], format!("2 of `{name}/requirements.csv`; 2 no Rust"));
+    assert!(lines[1].starts_with(&format!("`HLR-9` at {name}/tests/closed_loop.rs:")), "{text}");
+    let back = page.split_once("Tests with their requirements").expect("the tests").1;
+    let row = back.split_once("</tr>").and_then(|(_, it)| it.split_once("</tr>"));
+    let row = row.expect("a row").0;
+    for part in ["verdict passed", "#requirement-HLR-1\"", "#requirement-HLR-9\""] {
+        assert!(row.contains(part), "{part}: {row}");
+    }
+    for file in ["requirements.csv", "requirements.reqif"] {
+        let own = package.join("dossier").join(file);
+        let path = own.to_string_lossy();
+        dossier_of(package, &["--quick", "--requirements", &path, "--output", "again"])
+            .unwrap_or_else(|error| panic!("{error}"));
+        let again = package.join("again");
+        for other in ["requirements.csv", "requirements.reqif"] {
+            let read = |folder: &Path| fs::read_to_string(folder.join(other)).expect("a list");
+            assert_eq!(read(&again), read(&package.join("dossier")), "{other} of {file}");
+        }
+        fs::remove_dir_all(again).expect("the second");
+    }
 }
 
 /// Shows a line and a name with their counterparts in Chromium, if it is installed.
