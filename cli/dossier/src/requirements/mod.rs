@@ -161,10 +161,11 @@ impl Matrix {
             return Vec::new();
         }
         let mut verdicts: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-        for row in &self.rows {
+        let is_unknown = |row: &&Row| self.unknown.iter().any(|it| it.name == row.id);
+        for row in self.rows.iter().filter(|row| !is_unknown(row)) {
             verdicts.entry(&row.verdict).or_default().push(&row.id);
         }
-        let all = self.rows.len();
+        let all: usize = verdicts.values().map(Vec::len).sum();
         let counts = verdicts.iter().map(|(verdict, ids)| match ids.len() == all {
             true => format!("{all} {verdict}"),
             false if *verdict == "passed" => format!("{} passed", ids.len()),
@@ -375,7 +376,7 @@ mod tests {
         assert_eq!(
             matrix.summary(),
             [
-                "4 of `hlr.csv`; 1 failed: B; 1 no Rust: C; 1 no test: X; 1 passed",
+                "3 of `hlr.csv`; 1 failed: B; 1 no Rust: C; 1 passed",
                 "`X` at src/lib.rs:8 is not in the list",
                 "no requirement is named by 1 functions and 1 tests",
             ]

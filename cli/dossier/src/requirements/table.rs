@@ -173,7 +173,7 @@ mod tests {
                 "Motor::step",
                 "motor_step",
                 // Longer than the text.
-                "holds falls rises turns_left turns_right stops_at_once stops_later starts_again",
+                "holds falls rises goes_left goes_right stops_at_once stops_later starts_again",
                 "passed",
             ],
             ["HLR-2", "", "Motor::stop", "motor_stop", "", "no test"],
@@ -206,8 +206,8 @@ mod tests {
         assert_eq!(read(text), Ok(vec![Requirement { id: "SYS-7".to_owned(), text: text_of }]));
     }
 
-    /// A heading, a rationale that is longer than the text, blocks of XHTML, an enumeration, and an order that differs from
-    /// that of the specification: DOORS, Polarion and StrictDoc write them.
+    /// DOORS, Polarion and StrictDoc write headings, rationales longer than the text, blocks of XHTML and enumerations. Objects are
+    /// in another order than in the specification.
     #[test]
     fn reqif_has_headings_and_attributes_that_are_no_requirements() {
         let definition = |kind: &str, id: &str, long: &str| {
