@@ -338,22 +338,10 @@ narrow_parts("LOG2_E", 1 / log(mpf(2)), "log₂ e in 24 and 24 bits", 24)
 narrow_parts("LOG10_E", 1 / log(mpf(10)), "log₁₀ e in 12 and 24 bits", 12)
 words = [0] + [(int(floor(2 / pi * mpf(2) ** 320)) >> (32 * (9 - i))) & (2**32 - 1) for i in range(10)]
 table("TWO_OVER_PI_WORDS", words, "The bits of 2/π after 32 zeros, most significant first.", "u32")
-narrow_parts("ANGLE_STEP", pi / 64, "π/64 in 13, 18 and 24 bits: multiples of the first by up to 2¹¹ are exact. Multiples of the second by 64 times up to 2⁵ are exact", 13, 18)
-# Of z²/24 and z²/120 the multiples of z that serve best to z = (π/128)².
-share = (pi / 128) ** 2 * mpf("0.828")
-constant("NARROW_SINE_CUBE", rounded(-mpf(1) / 6 + share / 120, 24),
-         "Coefficient of r³ of the sine of r, up to |r| = π/128, adjusted for the missing r⁵. The error is below 2⁻³¹ of r.", "f32")
-
-
-def sine_row(k):
-    """The sine of k·π/64 in two parts, its cosine less 1, and what r² takes of the sine."""
-    value, cosine = (exact(it(k * pi / 64)) for it in (sin, cos))
-    return rounded(value, 24), value - rounded(value, 24), cosine - 1, -value * (mpf(1) / 2 - share / 24)
-
-
-rows("NARROW_SINE_ROWS", [sine_row(k - 32) for k in range(64)],
-     "For k = j − 32: sin(k·π/64) to a float, its rounding error, cos(k·π/64) − 1, and a factor. The factor of r² approximates sin(k·π/64) · (cos r − 1) with an error below 2⁻²⁸.",
-     "f32")
+# Of smaller angles the polynomials are a smaller part, so the interval begins where their error matters.
+most = (eighth * mpf("1.00002")) ** 2
+narrow("SINE", lambda z: (1 - sin(sqrt(z)) / sqrt(z)) / z, 3, mpf(1) / 4, most, "(x − sin x)/x³ in powers of x², 1/2 to π/4.")
+narrow("COSINE", lambda z: (cos(sqrt(z)) - 1 + z / 2) / z**2, 3, mpf(1) / 4, most, "(cos x − 1 + x²/2)/x⁴ in powers of x², 1/2 to π/4.")
 narrow("TANGENT", odd(tan), 7, 0, mpf("0.62") ** 2, "(tan x − x)/x³ in powers of x², to 0.62.")
 narrow("ARCTANGENT", odd(atan), 4, 0, mpf(1) / 16, "(atan x − x)/x³ in powers of x², to 1/4.")
 centres = [mpf(2) ** (j // 4 - 2) * (1 + (mpf(j % 4) + mpf(1) / 2) / 4) for j in range(16)]

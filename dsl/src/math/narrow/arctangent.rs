@@ -9,7 +9,7 @@ use super::super::tables::{
     NARROW_ARCSINE, NARROW_ARCTANGENT, NARROW_ARCTANGENT_ROWS, NARROW_HALF_PI_HIGH,
     NARROW_HALF_PI_LOW,
 };
-use super::sine::TINY;
+use super::tangent::TINY;
 use super::{PairF32, leading, ordered_sum};
 use crate::prelude::*;
 

@@ -3,7 +3,7 @@
 use super::super::tables::{NARROW_SINH, NARROW_TANH};
 use super::exponential::{StepsF32, beyond, far_scaled, scaled, steps_of};
 use super::ordered_sum;
-use super::sine::TINY;
+use super::tangent::TINY;
 use crate::prelude::*;
 
 /// Coefficient of x² in the Taylor series of e^x. Up to |x| = (ln 2)/2 the omitted even terms are below 2⁻²⁷, and the

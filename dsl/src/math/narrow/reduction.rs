@@ -1,4 +1,4 @@
-//! Reduction of angles to at most a quarter turn, or to a 64th of half a turn, as a sum of two floats.
+//! Reduction of angles to at most a quarter turn, as a sum of two floats.
 //!
 //! Moderate angles are reduced after Cody and Waite, *Software Manual for the Elementary Functions* (1980), with π/2
 //! in three parts. Huge angles are reduced after M. Payne and R. Hanek, *Radian reduction for trigonometric
@@ -6,13 +6,12 @@
 //! The angle's 24 bits and two bits of the quadrant leave 70 fractional bits; no float is nearer than 2⁻³⁰ to a
 //! multiple of π/2.
 
-use core::f32::consts::{FRAC_1_PI, FRAC_2_PI};
+use core::f32::consts::FRAC_2_PI;
 
 use super::super::RawBits as _;
 use super::super::tables::{
-    NARROW_ANGLE_STEP_1, NARROW_ANGLE_STEP_2, NARROW_ANGLE_STEP_3, NARROW_QUARTER_1,
-    NARROW_QUARTER_2, NARROW_QUARTER_3, NARROW_TURN_1, NARROW_TURN_2, NARROW_TURN_3,
-    TWO_OVER_PI_WORDS,
+    NARROW_QUARTER_1, NARROW_QUARTER_2, NARROW_QUARTER_3, NARROW_TURN_1, NARROW_TURN_2,
+    NARROW_TURN_3, TWO_OVER_PI_WORDS,
 };
 use super::{PairF32, TO_INTEGER, leading, ordered_sum};
 use crate::prelude::*;
@@ -48,7 +47,7 @@ fn reduced_moderate(x: f32) -> ReducedF32 {
     ReducedF32 { high, low: (lead - high) + lost, quadrant: shifted.raw_bits() }
 }
 
-/// Subtracts whole quarter turns from `x`, rad, for |x| above [`FEW_TURNS`], infinities and NaN.
+/// Subtracts whole quarter turns from `x`, rad, for |x| of 2⁸ or more, infinities and NaN.
 #[function]
 pub fn reduced_far(x: f32) -> ReducedF32 {
     if x.abs() <= f32::MAX {
@@ -65,46 +64,21 @@ pub(crate) fn reduced_angle(x: f32) -> ReducedF32 {
     if x.abs() <= FEW_TURNS { reduced_moderate(x) } else { reduced_far(x) }
 }
 
-/// An angle as a number of 64ths of half a turn and a remainder.
-#[data]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SteppedF32 {
-    /// The remainder, rad, −π/128 to π/128.
-    pub high: f32,
-    /// The error of `high`; near whole half turns it may be larger than `high`.
-    pub low: f32,
-    /// Number of 64ths of half a turn; only the last seven bits count.
-    pub steps: u32,
-}
-
-/// 64/π, the steps per rad.
-#[crate::data]
-const STEPS_PER_RADIAN: f32 = 64.0 * FRAC_1_PI;
-
-/// Subtracts 64ths of half a turn from `x`, rad, for |x| up to 100.
+/// Subtracts whole quarter turns from `x`, rad, for |x| below 2⁸; −0 stays −0. `low` may be larger than `high` where
+/// both are nearly 0.
+///
+/// `low` is a negated sum, so that it is −0 for an angle of ±0.
 #[inline]
 #[function]
-pub(crate) fn stepped(x: f32) -> SteppedF32 {
-    let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
-    let steps = shifted - TO_INTEGER;
-    // The first product loses nothing, and the second nothing where the sine is next to 0, or else at most 2⁻³¹.
-    let first = x - steps * NARROW_ANGLE_STEP_1;
-    let part = steps * NARROW_ANGLE_STEP_2;
+pub(crate) fn reduced_near(x: f32) -> ReducedF32 {
+    let shifted = x * FRAC_2_PI + TO_INTEGER;
+    let quarter_turns = shifted - TO_INTEGER;
+    // Two products and a first difference without loss; what the second difference loses is kept.
+    let first = x - quarter_turns * NARROW_TURN_1;
+    let part = quarter_turns * NARROW_TURN_2;
     let high = first - part;
-    let low = ((first - high) - part) - steps * NARROW_ANGLE_STEP_3;
-    SteppedF32 { high, low, steps: shifted.raw_bits() }
-}
-
-/// Subtracts 64ths of half a turn from any angle, rad.
-#[function]
-pub fn stepped_far(x: f32) -> SteppedF32 {
-    let angle = reduced_angle(x);
-    let rest = stepped(angle.high);
-    SteppedF32 {
-        high: rest.high,
-        low: rest.low + angle.low,
-        steps: rest.steps.wrapping_add(angle.quadrant.wrapping_mul(32)),
-    }
+    let excess = ((high - first) + part) + quarter_turns * NARROW_TURN_3;
+    ReducedF32 { high, low: -excess, quadrant: shifted.raw_bits() }
 }
 
 /// The upper 32 bits of a product.

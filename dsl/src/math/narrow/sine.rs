@@ -1,95 +1,90 @@
-//! Sine and cosine: a table has 64ths of half a turn, and a short polynomial gives the remainder (P. T. P. Tang). No
-//! branch depends on the quadrant.
+//! Sine and cosine: polynomials of the angle reduced to half a quarter turn, rotated by the quarter turns that the
+//! reduction took off. The rotation's products are exact, and sine and cosine together have no branch that depends on
+//! the quadrant.
 
 use super::super::RawBits as _;
-use super::super::tables::{NARROW_SINE_CUBE, NARROW_SINE_ROWS};
-use super::reduction::{SteppedF32, stepped, stepped_far};
+use super::super::tables::{NARROW_COSINE, NARROW_SINE};
+use super::reduction::{ReducedF32, reduced_far, reduced_near};
 use crate::prelude::*;
 
-/// 2⁻¹²: a smaller angle equals its sine and its tangent to the last bit.
+/// Sines of 0 to 4 quarter turns. The first is −0, so that a sine of ±0 stays ±0 when it is added.
 #[crate::data]
-pub(crate) const TINY: f32 = 2.4414063e-4;
+const QUARTER_SINES: [f32; 5] = [-0.0, 1.0, 0.0, -1.0, 0.0];
 
-/// Up to this angle, in rad, the number of steps is below 2¹¹.
-#[crate::data]
-const FEW_STEPS: f32 = 100.0;
-
-/// Number of steps from the first row of the table to the row for the sine of 0.
-#[crate::data]
-const SINE_ROW: u32 = 32;
-/// Number of steps from the first row of the table to the row for the sine of π/2, which is the cosine of 0.
-#[crate::data]
-const COSINE_ROW: u32 = 64;
-
-/// Sine of an angle given as steps; `from` is the number of steps from the first row to the row for an angle of 0.
+/// Returns true if an angle is below 2⁸ rad, by one comparison: the bits of floats have the order of the floats.
 #[inline]
 #[function]
-fn sine_of_steps(angle: SteppedF32, from: u32) -> f32 {
-    let steps = angle.steps.wrapping_add(from);
-    let row = (steps & 63) as usize;
+fn is_near(x: f32) -> bool {
+    (x.raw_bits() & 0x7fff_ffff) < 0x4380_0000
+}
+
+/// Sine of a reduced angle without its quarter turns.
+#[inline]
+#[function]
+fn near_sine(angle: ReducedF32) -> f32 {
     let z = angle.high * angle.high;
-    // sin(c + r) = sin c + r + (cos c − 1) · sin r + (sin r − r) + sin c · (cos r − 1); the sum of the first two without loss.
-    let beyond = angle.low + angle.high * (z * NARROW_SINE_CUBE);
-    let sum = NARROW_SINE_ROWS[row][0] + angle.high;
-    let lost = angle.high - (sum - NARROW_SINE_ROWS[row][0]);
-    let turned = (angle.high + beyond) * NARROW_SINE_ROWS[row][2] + beyond;
-    let value = sum + (((lost + NARROW_SINE_ROWS[row][1]) + z * NARROW_SINE_ROWS[row][3]) + turned);
-    // Every other half turn changes the sign.
-    f32::from_bits(value.raw_bits() ^ ((steps & 64) << 25))
+    let curve = z * (NARROW_SINE[0] + z * (NARROW_SINE[1] + z * NARROW_SINE[2]));
+    // A difference of two numbers with the sign of the angle: −0 stays −0.
+    angle.high - (angle.high * curve - angle.low)
 }
 
-/// Sine of an angle in rad that is nearly 0 or above [`FEW_STEPS`].
-#[function]
-pub fn far_sine(x: f32) -> f32 {
-    if x.abs() < TINY {
-        // −0 stays what it is.
-        x
-    } else if x.abs() <= f32::MAX {
-        sine_of_steps(stepped_far(x), SINE_ROW)
-    } else {
-        f32::NAN
-    }
-}
-
-/// Cosine of an angle in rad above [`FEW_STEPS`].
-#[function]
-pub fn far_cosine(x: f32) -> f32 {
-    if x.abs() <= f32::MAX { sine_of_steps(stepped_far(x), COSINE_ROW) } else { f32::NAN }
-}
-
-/// Returns true if an angle is from [`TINY`] to [`FEW_STEPS`] rad, by one comparison: the bits of floats have the
-/// order of the floats.
+/// Cosine of a reduced angle without its quarter turns.
 #[inline]
 #[function]
-fn is_moderate(x: f32) -> bool {
-    (x.raw_bits() & 0x7fff_ffff).wrapping_sub(0x3980_0000) < 0x0948_0000
+fn near_cosine(angle: ReducedF32) -> f32 {
+    let z = angle.high * angle.high;
+    let curve = z * (z * (NARROW_COSINE[0] + z * (NARROW_COSINE[1] + z * NARROW_COSINE[2])));
+    // 1 − z/2 in two sums, of which the first is exact from z = 1/4 on.
+    0.75 + ((0.25 - 0.5 * z) + (curve - angle.high * angle.low))
+}
+
+/// Sine of a reduced angle to which `quarter_turns` are added.
+#[inline]
+#[function]
+fn sine_of(angle: ReducedF32, quarter_turns: u32) -> f32 {
+    let quadrant = angle.quadrant.wrapping_add(quarter_turns);
+    let value = if (quadrant & 1) == 0 { near_sine(angle) } else { near_cosine(angle) };
+    if (quadrant & 2) == 0 { value } else { -value }
+}
+
+/// Sine and cosine of a reduced angle.
+#[inline]
+#[function]
+fn rotated(angle: ReducedF32) -> (f32, f32) {
+    let sine = near_sine(angle);
+    let cosine = near_cosine(angle);
+    let quadrant = (angle.quadrant & 3) as usize;
+    let turned = QUARTER_SINES[quadrant];
+    let kept = QUARTER_SINES[quadrant + 1];
+    (kept * sine + turned * cosine, kept * cosine - turned * sine)
+}
+
+/// Sine of an angle of 2⁸ rad or more, to which `quarter_turns` are added.
+#[function]
+pub fn far_sine(x: f32, quarter_turns: u32) -> f32 {
+    sine_of(reduced_far(x), quarter_turns)
+}
+
+/// Sine and cosine of an angle of 2⁸ rad or more.
+#[function]
+pub fn far_sin_cos(x: f32) -> (f32, f32) {
+    rotated(reduced_far(x))
 }
 
 /// Sine of an angle in rad, however large; within 1 ulp. ±0 gives ±0; ±∞ and NaN give NaN.
 #[function]
 pub fn sinf(x: f32) -> f32 {
-    if is_moderate(x) { sine_of_steps(stepped(x), SINE_ROW) } else { far_sine(x) }
+    if is_near(x) { sine_of(reduced_near(x), 0) } else { far_sine(x, 0) }
 }
 
 /// Cosine of an angle in rad, however large; within 1 ulp. ±0 gives 1; ±∞ and NaN give NaN.
 #[function]
 pub fn cosf(x: f32) -> f32 {
-    if x.abs() <= FEW_STEPS { sine_of_steps(stepped(x), COSINE_ROW) } else { far_cosine(x) }
+    if is_near(x) { sine_of(reduced_near(x), 1) } else { far_sine(x, 1) }
 }
 
 /// Sine and cosine of an angle in rad, with the bits of [`sinf`] and [`cosf`] and one reduction.
 #[function]
 pub fn sin_cosf(x: f32) -> (f32, f32) {
-    if is_moderate(x) {
-        let angle = stepped(x);
-        return (sine_of_steps(angle, SINE_ROW), sine_of_steps(angle, COSINE_ROW));
-    }
-    if x.abs() < TINY {
-        return (x, 1.0);
-    }
-    if x.abs() > f32::MAX || x.is_nan() {
-        return (f32::NAN, f32::NAN);
-    }
-    let angle = stepped_far(x);
-    (sine_of_steps(angle, SINE_ROW), sine_of_steps(angle, COSINE_ROW))
+    if is_near(x) { rotated(reduced_near(x)) } else { far_sin_cos(x) }
 }

@@ -2,9 +2,12 @@
 
 use super::super::tables::{NARROW_HALF_PI_HIGH, NARROW_HALF_PI_LOW, NARROW_TANGENT};
 use super::reduction::reduced_angle;
-use super::sine::TINY;
 use super::{PairF32, leading, ordered_sum};
 use crate::prelude::*;
+
+/// 2⁻¹²: a smaller angle equals its sine and its tangent to the last bit.
+#[crate::data]
+pub(crate) const TINY: f32 = 2.4414063e-4;
 
 /// Coefficient of x³ in the Taylor series of the tangent. Up to |x| = π/4 − 0.62 the omitted terms are below 2⁻²⁶ of
 /// it.
