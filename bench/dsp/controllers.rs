@@ -183,7 +183,7 @@ impl Fir {
 #[inline]
 pub fn transformed(a: f32, b: f32, sine: f32, cosine: f32) -> Vector2<f32> {
     let alpha = a;
-    let beta = 0.577_350_26 * a + 1.154_700_5 * b;
+    let beta = 0.577_350_26 * (a + 2.0 * b);
     Vector2::new(alpha * cosine + beta * sine, -alpha * sine + beta * cosine)
 }
 

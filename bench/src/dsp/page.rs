@@ -20,7 +20,7 @@ const NOTES: &str = "\n## Short jobs\n\n\
     twice:\ncalled as a function of a library, neither inlined nor specialised for the constants of the call, and inlined in a caller \
     that has every\nargument in a register. A function that its author marks `#[inline]` is in `bessemer_inline.h`, from which firmware \
     inlines it; CMSIS-DSP's\nare in its headers. Both counts have the call of the mark behind the job.\n\n\
-    Without contraction the PID step loads six numbers, has six operations and stores three numbers; the transforms have two constants \
+    Without contraction the PID step loads six numbers, has six operations and stores three numbers; the transforms have one constant \
     and\nnine operations. Fewer instructions take fused multiply-adds, whose bits are others than the Rust's, or `VMLA`, which rounds \
     twice as the\nRust does: `-mtune=cortex-a9` uses it. gcc does not for a Cortex-M4, where it takes three cycles, and a product and a \
     sum take two.\nCMSIS-DSP's transforms take as many, with the same flags.\n\n\

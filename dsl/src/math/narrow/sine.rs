@@ -1,15 +1,10 @@
-//! Sine and cosine: polynomials of the angle reduced to half a quarter turn, rotated by the quarter turns that the
-//! reduction took off. The rotation's products are exact, and sine and cosine together have no branch that depends on
-//! the quadrant.
+//! Sine and cosine: polynomials of the angle reduced to half a quarter turn, exchanged and negated by the number of
+//! quarter turns that the reduction took off. All operations of both are the same in each quadrant, except the exchange.
 
 use super::super::RawBits as _;
 use super::super::tables::{NARROW_COSINE, NARROW_SINE};
 use super::reduction::{ReducedF32, reduced_far, reduced_near};
 use crate::prelude::*;
-
-/// Sines of 0 to 4 quarter turns. The first is −0, so that a sine of ±0 stays ±0 when it is added.
-#[crate::data]
-const QUARTER_SINES: [f32; 5] = [-0.0, 1.0, 0.0, -1.0, 0.0];
 
 /// Returns true if an angle is below 2⁸ rad, by one comparison: the bits of floats have the order of the floats.
 #[inline]
@@ -35,7 +30,7 @@ fn near_cosine(angle: ReducedF32) -> f32 {
     let z = angle.high * angle.high;
     let curve = z * (z * (NARROW_COSINE[0] + z * (NARROW_COSINE[1] + z * NARROW_COSINE[2])));
     // 1 − z/2 in two sums, of which the first is exact from z = 1/4 on.
-    0.75 + ((0.25 - 0.5 * z) + (curve - angle.high * angle.low))
+    0.75 + (0.5 * (0.5 - z) + (curve - angle.high * angle.low))
 }
 
 /// Sine of a reduced angle to which `quarter_turns` are added.
@@ -51,21 +46,29 @@ fn sine_of(angle: ReducedF32, quarter_turns: u32) -> f32 {
 #[inline]
 #[function]
 fn rotated(angle: ReducedF32) -> (f32, f32) {
-    let sine = near_sine(angle);
-    let cosine = near_cosine(angle);
-    let quadrant = (angle.quadrant & 3) as usize;
-    let turned = QUARTER_SINES[quadrant];
-    let kept = QUARTER_SINES[quadrant + 1];
-    (kept * sine + turned * cosine, kept * cosine - turned * sine)
+    let mut sine = near_sine(angle);
+    let mut cosine = near_cosine(angle);
+    if (angle.quadrant & 1) != 0 {
+        let turned = cosine;
+        cosine = -sine;
+        sine = turned;
+    }
+    if (angle.quadrant & 2) != 0 {
+        sine = -sine;
+        cosine = -cosine;
+    }
+    (sine, cosine)
 }
 
 /// Sine of an angle of 2⁸ rad or more, to which `quarter_turns` are added.
+#[inline(never)]
 #[function]
 pub fn far_sine(x: f32, quarter_turns: u32) -> f32 {
     sine_of(reduced_far(x), quarter_turns)
 }
 
 /// Sine and cosine of an angle of 2⁸ rad or more.
+#[inline(never)]
 #[function]
 pub fn far_sin_cos(x: f32) -> (f32, f32) {
     rotated(reduced_far(x))
