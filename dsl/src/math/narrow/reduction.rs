@@ -47,7 +47,7 @@ fn reduced_moderate(x: f32) -> ReducedF32 {
     ReducedF32 { high, low: (lead - high) + lost, quadrant: shifted.raw_bits() }
 }
 
-/// Subtracts whole quarter turns from `x`, rad, for |x| of 2⁸ or more, infinities and NaN.
+/// Subtracts multiples of π/2 from `x`, rad, for |x| of 2⁸ or more, infinities and NaN.
 #[function]
 pub fn reduced_far(x: f32) -> ReducedF32 {
     if x.abs() <= f32::MAX {
@@ -64,20 +64,20 @@ pub(crate) fn reduced_angle(x: f32) -> ReducedF32 {
     if x.abs() <= FEW_TURNS { reduced_moderate(x) } else { reduced_far(x) }
 }
 
-/// Subtracts whole quarter turns from `x`, rad, for |x| below 2⁸; −0 stays −0. `low` may be larger than `high` where
-/// both are nearly 0.
+/// Subtracts multiples of π/2 from `x`, rad, for |x| below 2⁸; −0 stays −0. `low` may be larger than `high` where both
+/// are nearly 0.
 ///
 /// `low` is a negated sum, so that it is −0 for an angle of ±0.
 #[inline]
 #[function]
 pub(crate) fn reduced_near(x: f32) -> ReducedF32 {
     let shifted = x * FRAC_2_PI + TO_INTEGER;
-    let quarter_turns = shifted - TO_INTEGER;
+    let quadrants = shifted - TO_INTEGER;
     // Two products and a first difference without loss; what the second difference loses is kept.
-    let first = x - quarter_turns * NARROW_TURN_1;
-    let part = quarter_turns * NARROW_TURN_2;
+    let first = x - quadrants * NARROW_TURN_1;
+    let part = quadrants * NARROW_TURN_2;
     let high = first - part;
-    let excess = ((high - first) + part) + quarter_turns * NARROW_TURN_3;
+    let excess = ((high - first) + part) + quadrants * NARROW_TURN_3;
     ReducedF32 { high, low: -excess, quadrant: shifted.raw_bits() }
 }
 

@@ -1,5 +1,5 @@
-//! Sine and cosine: polynomials of the angle reduced to half a quarter turn, exchanged and negated by the number of
-//! quarter turns that the reduction took off. All operations of both are the same in each quadrant, except the exchange.
+//! Sine and cosine: polynomials of the angle reduced to −π/4 to π/4, exchanged and negated by the quadrant. Together they
+//! have one branch that depends on it.
 
 use super::super::RawBits as _;
 use super::super::tables::{NARROW_COSINE, NARROW_SINE};
@@ -13,7 +13,7 @@ fn is_near(x: f32) -> bool {
     (x.raw_bits() & 0x7fff_ffff) < 0x4380_0000
 }
 
-/// Sine of a reduced angle without its quarter turns.
+/// Sine of a reduced angle in quadrant 0.
 #[inline]
 #[function]
 fn near_sine(angle: ReducedF32) -> f32 {
@@ -23,7 +23,7 @@ fn near_sine(angle: ReducedF32) -> f32 {
     angle.high - (angle.high * curve - angle.low)
 }
 
-/// Cosine of a reduced angle without its quarter turns.
+/// Cosine of a reduced angle in quadrant 0.
 #[inline]
 #[function]
 fn near_cosine(angle: ReducedF32) -> f32 {
@@ -33,11 +33,11 @@ fn near_cosine(angle: ReducedF32) -> f32 {
     0.75 + (0.5 * (0.5 - z) + (curve - angle.high * angle.low))
 }
 
-/// Sine of a reduced angle to which `quarter_turns` are added.
+/// Sine of a reduced angle, `quadrants` · π/2 further.
 #[inline]
 #[function]
-fn sine_of(angle: ReducedF32, quarter_turns: u32) -> f32 {
-    let quadrant = angle.quadrant.wrapping_add(quarter_turns);
+fn sine_of(angle: ReducedF32, quadrants: u32) -> f32 {
+    let quadrant = angle.quadrant.wrapping_add(quadrants);
     let value = if (quadrant & 1) == 0 { near_sine(angle) } else { near_cosine(angle) };
     if (quadrant & 2) == 0 { value } else { -value }
 }
@@ -49,9 +49,9 @@ fn rotated(angle: ReducedF32) -> (f32, f32) {
     let mut sine = near_sine(angle);
     let mut cosine = near_cosine(angle);
     if (angle.quadrant & 1) != 0 {
-        let turned = cosine;
+        let exchanged = cosine;
         cosine = -sine;
-        sine = turned;
+        sine = exchanged;
     }
     if (angle.quadrant & 2) != 0 {
         sine = -sine;
@@ -60,11 +60,11 @@ fn rotated(angle: ReducedF32) -> (f32, f32) {
     (sine, cosine)
 }
 
-/// Sine of an angle of 2⁸ rad or more, to which `quarter_turns` are added.
+/// Sine of an angle of 2⁸ rad or more, `quadrants` · π/2 further.
 #[inline(never)]
 #[function]
-pub fn far_sine(x: f32, quarter_turns: u32) -> f32 {
-    sine_of(reduced_far(x), quarter_turns)
+pub fn far_sine(x: f32, quadrants: u32) -> f32 {
+    sine_of(reduced_far(x), quadrants)
 }
 
 /// Sine and cosine of an angle of 2⁸ rad or more.
