@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 counts() {
-    cargo bessemer verify --target "$1" | sed -n 's/^  \([A-Za-z]*::[a-z0-9_]*\) *\([0-9]*\) *[0-9]*$/\1\t\2/p'
+    cargo bessemer verify --target "$1" | sed -n 's/^  \([A-Za-z]*::[a-z0-9_]*\)  *\([0-9][0-9]*\) .*$/\1\t\2/p'
 }
 join -t "$(printf '\t')" <(counts cortex-m4f | sort) <(counts cortex-a9 | sort) > costs.tsv.new
 mv costs.tsv.new costs.tsv
