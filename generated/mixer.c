@@ -133,9 +133,15 @@ static double mixer_share(const double base[AIRFRAME_MAX_MOTORS],
 {
     double share = 1.0;
     for (uint32_t i = 0U; i < AIRFRAME_MAX_MOTORS; i++) {
-        for (uint32_t j = 0U; j < AIRFRAME_MAX_MOTORS; j++) {
-            const double difference = more[i] - more[j];
-            const double room = largest - (base[i] - base[j]);
+        for (uint32_t j = 0U; j < i; j++) {
+            /* Of the two, the first is the one that `more` speeds up most. */
+            double difference = more[i] - more[j];
+            double distance = base[i] - base[j];
+            if (difference < 0.0) {
+                difference = -difference;
+                distance = -distance;
+            }
+            const double room = largest - distance;
             if (difference * share > room) {
                 share = max_f64(room / difference, 0.0);
             }

@@ -124,9 +124,15 @@ impl Mixer {
 fn share(base: &SVector<f64, MAX_MOTORS>, more: &SVector<f64, MAX_MOTORS>, largest: f64) -> f64 {
     let mut share = 1.0;
     for i in 0..MAX_MOTORS {
-        for j in 0..MAX_MOTORS {
-            let difference = more[i] - more[j];
-            let room = largest - (base[i] - base[j]);
+        for j in 0..i {
+            // Of the two, the first is the one that `more` speeds up most.
+            let mut difference = more[i] - more[j];
+            let mut distance = base[i] - base[j];
+            if difference < 0.0 {
+                difference = -difference;
+                distance = -distance;
+            }
+            let room = largest - distance;
             if difference * share > room {
                 share = (room / difference).max(0.0);
             }
