@@ -37,6 +37,8 @@ pub struct Instruction {
     pub step: Step,
     /// Constant in `r2` at a call: the third argument, such as the bytes of `memcpy`.
     pub bytes: Option<u64>,
+    /// True if `r2` and `r3` are zero at a call: the second argument, if that is a double.
+    pub zero: bool,
 }
 
 /// Effect of an instruction on the order of execution.
@@ -141,6 +143,10 @@ fn mnemonic<'t>(text: &'t str, plain: &[&'static str]) -> (&'t str, bool) {
     }
 }
 
+/// Registers of arguments, and those that a call leaves as they are.
+const REGISTERS: [&str; 12] =
+    ["r0", "r1", "r2", "r3", "r4", "r5", "r6", "r7", "r8", "r9", "r10", "fp"];
+
 /// Mnemonics that change the order of execution.
 const JUMPS: [&str; 14] = [
     "b", "bl", "bx", "blx", "cbz", "cbnz", "tbb", "tbh", "ldr", "ldm", "ldmfd", "ldmia", "pop",
@@ -219,6 +225,38 @@ impl Raw {
         None
     }
 
+    /// Returns true if both `r2` and `r3` are zero before a call, by instructions of its block that begins at an index.
+    fn is_zero(&self, block: usize, at: usize) -> bool {
+        matches!(self.step(at, false), Ok(Step::Call(_)))
+            && ["r2", "r3"].iter().all(|it| self.is_zeroed(block, at, it))
+    }
+
+    fn is_zeroed(&self, block: usize, at: usize, register: &'static str) -> bool {
+        let mut register = register;
+        for (text, _) in self.instructions[block..at].iter().rev() {
+            let (word, operands) = text.split_once(' ').unwrap_or((text, ""));
+            let (first, value) = operands.split_once(", ").unwrap_or((operands, ""));
+            let is_move = matches!(word, "mov" | "movs" | "mov.w" | "movw");
+            if is_move && first == register {
+                match REGISTERS.iter().find(|it| **it == value) {
+                    Some(source) => register = source,
+                    None => return value == "#0",
+                }
+                continue;
+            }
+            // A call leaves r4 and those above, and a load of two writes the register behind the named one, too.
+            let place = |name: &str| REGISTERS.iter().position(|it| *it == name);
+            let called = word.starts_with("bl") && place(register) < Some(4);
+            let loaded =
+                word.starts_with("ldrd") && place(register) == place(first).map(|it| it + 1);
+            let named = operands.split(|it: char| !it.is_alphanumeric()).any(|it| it == register);
+            if called || loaded || named && !is_move {
+                return false;
+            }
+        }
+        false
+    }
+
     fn function(self) -> Function {
         let mut steps = Vec::new();
         let mut left_of_it = 0;
@@ -253,7 +291,7 @@ impl Raw {
             let instructions = (*start..end).map(|at| {
                 let (text, place) = self.instructions[at].clone();
                 let (step, bytes) = (steps[at].0.clone(), self.bytes(at));
-                Instruction { text, place, step, bytes }
+                Instruction { text, place, step, bytes, zero: self.is_zero(*start, at) }
             });
             let following = block_at(end);
             let mut next: Vec<usize> = Vec::new();
@@ -318,6 +356,33 @@ mod tests {
         let leaves: Vec<bool> = f.blocks.iter().map(|it| it.leaves).collect();
         assert_eq!(leaves, [false, false, true, true]);
         assert_eq!(f.blocks[3].instructions[0].step, Step::Call("g".to_owned()));
+    }
+
+    #[test]
+    fn zeros_of_the_same_block_are_known() {
+        let is_zero = |before: &str| {
+            let text = format!(
+                "\t.type\tf, %function\nf:\n{before}\tbl\t__aeabi_dadd\n\tbx\tlr\n\t.size\tf, .-f\n"
+            );
+            let f = functions(&text).remove(0);
+            let all = f.blocks.iter().flat_map(|it| &it.instructions);
+            let mut calls = all.filter(|it| matches!(it.step, Step::Call(_)));
+            calls.next_back().is_some_and(|it| it.zero)
+        };
+        assert!(is_zero("\tmovs\tr2, #0\n\tmovs\tr3, #0\n\tldrd\tr0, [r4, #88]\n"));
+        assert!(is_zero("\tmovs\tr4, #0\n\tbl\tg\n\tmov\tr2, r4\n\tmov\tr3, r4\n"));
+        for other in [
+            "\tmovs\tr3, #0\n",
+            "\tmovs\tr2, #0\n\tmovs\tr3, #1\n",
+            "\tmovs\tr2, #0\n\tmovs\tr3, #0\n\tbl\tg\n",
+            "\tmovs\tr2, #0\n\tmovs\tr3, #0\n.L1:\n",
+            "\tmovs\tr2, #0\n\tmovs\tr3, #0\n\tldrd\tr2, [r4]\n",
+            "\tmovs\tr2, #0\n\tmovs\tr3, #0\n\tit\teq\n\tmoveq\tr3, r5\n",
+            "\tmovs\tr2, #0\n\tmovs\tr3, #0\n\tstr\tr0, [r3], #8\n",
+            "\tmovs\tr4, #0\n\tadds\tr4, r4, #1\n\tmov\tr2, r4\n\tmov\tr3, r4\n",
+        ] {
+            assert!(!is_zero(other), "{other}");
+        }
     }
 
     #[test]

@@ -67,6 +67,19 @@ const FUNCTIONS: &[(&str, u64, u64, u64)] = &[
     ("__aeabi_ldivmod", 810, 90, 90),
 ];
 
+/// Operations of doubles on the Cortex-M4, and instructions if the second operand is zero: no other operation gets much
+/// shorter.
+const WITH_ZERO: [(&str, u64); 2] = [("__aeabi_dadd", 34), ("__aeabi_dsub", 33)];
+
+/// Known second and third argument of a call.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Known {
+    /// The bytes of a copy.
+    pub bytes: Option<u64>,
+    /// True if the second argument is a zero in double precision.
+    pub zero: bool,
+}
+
 /// Instructions of a copy besides its bytes.
 const COPY: u64 = 64;
 
@@ -131,16 +144,17 @@ fn quotient(divisor: f64) -> u64 {
     }
 }
 
-/// Returns the cost of a call, in which a quotient has at most `places` binary places.
+/// Returns the cost of a call with these arguments, in which a quotient has at most `places` binary places.
 ///
 /// A function that is not in the table, and a copy of unknown size, have no cost.
 pub fn cost(
     processor: Processor,
     name: &str,
-    bytes: Option<u64>,
+    Known { bytes, zero }: Known,
     places: u64,
     numbers: Numbers,
 ) -> Option<Cost> {
+    let with_zero = || WITH_ZERO.iter().find(|it| it.0 == name).map(|it| it.1);
     let instructions = match name {
         "memcpy" if processor == Processor::A9 => COPY - 8 + bytes? * 7 / 16,
         "memcpy" => COPY + bytes? * 9 / 16,
@@ -151,6 +165,7 @@ pub fn cost(
             let (besides, pass) = REMAINDER;
             besides + places * pass
         }
+        _ if zero && processor == Processor::M4f && with_zero().is_some() => with_zero()?,
         _ => {
             let (_, a9, any, normal) = FUNCTIONS.iter().find(|it| it.0 == name)?;
             let count = match (processor, numbers) {

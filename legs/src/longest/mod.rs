@@ -2,7 +2,8 @@
 //!
 //! Model: each source is compiled to assembly. A function costs the most of all paths through its blocks, and of its copies
 //! in other files; a call costs its callee, and a function of a library the figure of [`library`]. A loop costs its longest pass as often as its
-//! largest number of passes, which the C itself or the explicit IR has ([`passes`]). The passes and the sides of branches
+//! largest number of passes, which the C itself or the explicit IR has ([`passes`]), or with those of each value of the
+//! counter around it. The passes and the sides of branches
 //! are taken as independent, so the path need not be possible. Each instruction costs one, and the cycles of [`cycles`];
 //! caches, wait states and interrupts are not in it.
 //!
@@ -24,6 +25,7 @@ use bessemer_codegen::compile::Compiled;
 use crate::process;
 use crate::toolchain::{self, Toolchain};
 use assembly::{Function, Step};
+use library::Known;
 pub use library::{Numbers, slow};
 use passes::Passes;
 
@@ -206,7 +208,7 @@ impl Costs<'_> {
                     let cost = match library::cost(
                         self.processor,
                         callee,
-                        instruction.bytes,
+                        Known { bytes: instruction.bytes, zero: instruction.zero },
                         self.places,
                         self.numbers,
                     ) {

@@ -16,13 +16,48 @@ use bessemer_ir::{Argument, Expr, ExprKind, Module, Place, Role, Type};
 use super::assembly::{Block, Function};
 
 /// File and line of the C.
-type Line = (String, u32);
+pub type Line = (String, u32);
+
+/// Largest number of passes of a loop.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Times {
+    /// The line of its head, among those of other loops of the function; none if it may be the loop of another function.
+    pub places: Vec<Line>,
+    /// The number.
+    pub most: u64,
+    /// A loop around it whose counter it follows, and its numbers of passes, each for one value of the counter. The
+    /// largest is the first.
+    pub following: Option<(Line, Vec<u64>)>,
+}
+
+impl From<u64> for Times {
+    fn from(most: u64) -> Times {
+        Times { most, ..Times::default() }
+    }
+}
 
 /// The loops of the C.
 #[derive(Default)]
 pub struct Passes {
-    /// By the line of the head: the last line of the loop, and its passes.
-    loops: BTreeMap<Line, (u32, Option<u64>)>,
+    /// By the line of the head.
+    loops: BTreeMap<Line, Loop>,
+}
+
+/// A loop of the C.
+struct Loop {
+    last_line: u32,
+    /// Number of functions before its own in the file.
+    function: usize,
+    passes: Option<u64>,
+    following: Option<(Line, Vec<u64>)>,
+}
+
+/// A loop around others whose counter goes from a constant to another.
+struct Counted {
+    line: u32,
+    last_line: u32,
+    counter: String,
+    values: std::ops::Range<u64>,
 }
 
 impl Passes {
@@ -36,13 +71,28 @@ impl Passes {
         for file in &compiled.files {
             let name = file.name.rsplit('/').next().unwrap_or(&file.name);
             let lines: Vec<&str> = file.text.lines().collect();
+            let mut around: Vec<Counted> = Vec::new();
+            let mut function_number = 0;
             for (at, line) in lines.iter().enumerate() {
+                function_number += usize::from(*line == "}");
                 let head = line.trim_start();
                 if !head.starts_with("for (") && !head.starts_with("while (") {
                     continue;
                 }
                 let number = at as u32 + 1;
-                let own = by_text(head, &constants, &slices);
+                let last_line = last_line(&lines, at);
+                around.retain(|it| number <= it.last_line);
+                let parsed = Head::of(head);
+                let own = parsed.as_ref().and_then(|it| it.passes(&constants, &slices));
+                let following = match own {
+                    None => parsed.as_ref().and_then(|it| {
+                        let of =
+                            |outer: &Counted| Some((outer.line, it.passes_by(outer, &constants)?));
+                        around.iter().rev().find_map(of)
+                    }),
+                    Some(_) => None,
+                };
+                let own = own.or_else(|| following.as_ref()?.1.first().copied());
                 let row = file.map.iter().rev().find(|row| row.c_line <= number);
                 let row = row.filter(|row| row.c_line == number);
                 let of_ir = row.and_then(|row| {
@@ -52,7 +102,12 @@ impl Passes {
                     (Some(one), Some(other)) => Some(one.min(other)),
                     (one, other) => one.or(other),
                 };
-                loops.insert((name.to_owned(), number), (last_line(&lines, at), passes));
+                if let Some(it) = &parsed {
+                    around.extend(it.counted(number, last_line, &constants));
+                }
+                let following = following.map(|(line, passes)| ((name.to_owned(), line), passes));
+                let own = Loop { last_line, function: function_number, passes, following };
+                loops.insert((name.to_owned(), number), own);
             }
         }
         Passes { loops }
@@ -62,7 +117,7 @@ impl Passes {
     ///
     /// # Errors
     /// The reason for none.
-    pub fn of_loop(&self, function: &Function, blocks: &[usize]) -> Result<u64, String> {
+    pub fn of_loop(&self, function: &Function, blocks: &[usize]) -> Result<Times, String> {
         let places = blocks.iter().flat_map(|it| &function.blocks[*it].instructions);
         let mut places: Vec<&Line> = places.filter_map(|it| it.place.as_ref()).collect();
         places.sort_unstable();
@@ -70,18 +125,29 @@ impl Passes {
         let found: Vec<_> =
             places.into_iter().filter_map(|it| self.loops.get_key_value(it)).collect();
         let is_within = |inner: &Line| {
-            found.iter().any(|(outer, (last, _))| {
-                outer.0 == inner.0 && outer.1 < inner.1 && inner.1 <= *last
+            found.iter().any(|(outer, it)| {
+                outer.0 == inner.0 && outer.1 < inner.1 && inner.1 <= it.last_line
             })
         };
-        let mut most = None;
-        for (place, (_, passes)) in found.iter().filter(|it| !is_within(it.0)) {
-            let passes = passes.ok_or_else(|| {
+        let mut times: Option<Times> = None;
+        let own: Vec<_> = found.iter().filter(|it| !is_within(it.0)).collect();
+        for (place, it) in &own {
+            let most = it.passes.ok_or_else(|| {
                 format!("the loop at {}:{} has no known number of passes", place.0, place.1)
             })?;
-            most = most.max(Some(passes));
+            times = Some(match times {
+                None => Times { most, following: it.following.clone(), ..Times::default() },
+                // Several that were inlined: which of them it is, is not known.
+                Some(other) => Times::from(most.max(other.most)),
+            });
         }
-        most.or_else(|| copied(function, blocks))
+        if let (Some(times), Some((place, first))) = (&mut times, own.first())
+            && own.iter().all(|(it, other)| (&it.0, other.function) == (&place.0, first.function))
+        {
+            times.places = own.iter().map(|it| it.0.clone()).collect();
+        }
+        times
+            .or_else(|| copied(function, blocks).map(Times::from))
             .ok_or_else(|| format!("a loop of `{}` has no line of a loop in the C", function.name))
     }
 }
@@ -122,29 +188,76 @@ fn number(text: &str) -> Option<u64> {
     inner.unwrap_or(text).trim_end_matches(['U', 'L']).parse().ok()
 }
 
-/// Returns the passes by the head of a loop with constant ends: `for (T n = A; n < B; n++)`.
-fn by_text(
-    head: &str,
-    constants: &BTreeMap<&str, u64>,
-    slices: &BTreeMap<String, u64>,
-) -> Option<u64> {
-    let inner = head.strip_prefix("for (")?.split_once(") {")?.0;
-    let mut parts = inner.split(';');
-    let (first, test, step) = (parts.next()?, parts.next()?.trim(), parts.next()?.trim());
-    let (name, from) = first.rsplit_once(" = ")?;
-    let name = name.split_whitespace().last()?;
-    let from = value(from, constants)?;
-    let mut words = test.splitn(3, ' ');
-    let (left, operator, right) = (words.next()?, words.next()?, words.next()?);
-    let length = || slices.get(right.strip_suffix("_length")?).copied();
-    let to = value(right, constants).or_else(length)?;
-    if left != name || step != format!("{name}++") {
-        return None;
+/// The head of a loop: `for (T counter = from; counter < to; counter++)`, or with `<=`.
+struct Head<'t> {
+    counter: &'t str,
+    from: &'t str,
+    to: &'t str,
+    /// True for `<=`.
+    closed: bool,
+}
+
+impl<'t> Head<'t> {
+    fn of(head: &'t str) -> Option<Head<'t>> {
+        let inner = head.strip_prefix("for (")?.split_once(") {")?.0;
+        let mut parts = inner.split(';');
+        let (first, test, step) = (parts.next()?, parts.next()?.trim(), parts.next()?.trim());
+        let (name, from) = first.rsplit_once(" = ")?;
+        let counter = name.split_whitespace().last()?;
+        let mut words = test.splitn(3, ' ');
+        let (left, operator, to) = (words.next()?, words.next()?, words.next()?);
+        let steps = step.strip_suffix("++") == Some(counter);
+        let closed = match operator {
+            "<" => false,
+            "<=" => true,
+            _ => return None,
+        };
+        (left == counter && steps).then_some(Head { counter, from, to, closed })
     }
-    match operator {
-        "<" => Some(to.saturating_sub(from)),
-        "<=" => Some((to + 1).saturating_sub(from)),
-        _ => None,
+
+    fn between(&self, from: u64, to: u64) -> u64 {
+        (to + u64::from(self.closed)).saturating_sub(from)
+    }
+
+    /// Returns the passes between constant ends.
+    fn passes(
+        &self,
+        constants: &BTreeMap<&str, u64>,
+        slices: &BTreeMap<String, u64>,
+    ) -> Option<u64> {
+        let from = value(self.from, constants)?;
+        let length = || slices.get(self.to.strip_suffix("_length")?).copied();
+        let to = value(self.to, constants).or_else(length)?;
+        Some(self.between(from, to))
+    }
+
+    /// Returns the loop if its ends are constants.
+    fn counted(
+        &self,
+        line: u32,
+        last_line: u32,
+        constants: &BTreeMap<&str, u64>,
+    ) -> Option<Counted> {
+        let from = value(self.from, constants)?;
+        let to = value(self.to, constants)? + u64::from(self.closed);
+        Some(Counted { line, last_line, counter: self.counter.to_owned(), values: from..to })
+    }
+
+    /// Returns the passes for each value of the counter of a loop around it, the largest first; none if no end follows it.
+    fn passes_by(&self, outer: &Counted, constants: &BTreeMap<&str, u64>) -> Option<Vec<u64>> {
+        let end = |text: &str, counter: u64| {
+            let rest = text.trim().strip_prefix(outer.counter.as_str());
+            match rest {
+                Some("") => Some(counter),
+                Some(rest) => counter.checked_add(number(rest.strip_prefix(" + ")?)?),
+                None => value(text, constants),
+            }
+        };
+        let of = |it: u64| Some(self.between(end(self.from, it)?, end(self.to, it)?));
+        let few = outer.values.end.saturating_sub(outer.values.start) <= 1024;
+        let mut all = few.then(|| outer.values.clone().map(of).collect::<Option<Vec<u64>>>())??;
+        all.sort_unstable_by_key(|it| std::cmp::Reverse(*it));
+        Some(all)
     }
 }
 
@@ -242,13 +355,27 @@ mod tests {
     fn heads_with_constant_ends_have_their_passes() {
         let constants = BTreeMap::from([("WIDTH", 36)]);
         let slices = BTreeMap::from([("bytes".to_owned(), 56)]);
-        let of = |head: &str| by_text(head, &constants, &slices);
+        let of = |head: &str| Head::of(head)?.passes(&constants, &slices);
         assert_eq!(of("for (uint32_t n = 1U; n < WIDTH * 4U; n++) {"), Some(143));
         assert_eq!(of("for (uint32_t n = 0U; n <= UINT64_C(3); n++) {"), Some(4));
         assert_eq!(of("for (uint64_t i = UINT64_C(0); i < bytes_length; i++) {"), Some(56));
         assert_eq!(of("for (uint32_t col = 0U; col <= row; col++) {"), None);
         assert_eq!(of("for (uint32_t n = 8U; n-- > 0U;) {"), None);
         assert_eq!(of("while (n < 3U) {"), None);
+    }
+
+    #[test]
+    fn a_triangle_has_the_passes_of_each_row() {
+        let outer = Head::of("for (uint32_t row = 0U; row < WIDTH; row++) {").expect("a head");
+        let constants = BTreeMap::from([("WIDTH", 4)]);
+        let outer = outer.counted(1, 9, &constants).expect("constant ends");
+        let of = |head: &str| Head::of(head)?.passes_by(&outer, &constants);
+        let passes = |all: &[u64]| Some(all.to_vec());
+        assert_eq!(of("for (uint32_t col = 0U; col <= row; col++) {"), passes(&[4, 3, 2, 1]));
+        assert_eq!(of("for (uint32_t col = 0U; col < row; col++) {"), passes(&[3, 2, 1, 0]));
+        assert_eq!(of("for (uint32_t k = row + 1U; k < WIDTH; k++) {"), passes(&[3, 2, 1, 0]));
+        assert_eq!(of("for (uint32_t k = 0U; k < rows; k++) {"), None);
+        assert_eq!(of("for (uint32_t k = 0U; k < row * 2U; k++) {"), None);
     }
 
     #[test]

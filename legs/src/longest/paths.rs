@@ -4,6 +4,17 @@
 //! outside. Without the edges to that block it has inner loops, which are taken first. With at most `n` passes the path
 //! goes around `n` times and then out; `n - 1` times if each edge back is taken by a block that can also leave, and the
 //! entry cannot leave or is the whole loop: the test is then behind the pass.
+//!
+//! A loop whose number of passes follows the counter of a loop around it has another number in each pass of that one, since
+//! the counter never has a value twice. So `n` passes of the outer loop cost the sum of their longest paths, the inner loop
+//! having its `n` largest numbers of passes one after the other.
+
+use std::cell::Cell;
+
+use super::passes::{Line, Times};
+
+/// Most passes of a loop that are computed one by one.
+const ONE_BY_ONE: u64 = 64;
 
 /// Returns the cost of the longest path from block 0 to a block that may `leave` the function.
 ///
@@ -13,11 +24,11 @@ pub fn longest(
     next: &[Vec<usize>],
     leave: &[bool],
     costs: &[u64],
-    bound: &dyn Fn(&[usize]) -> Result<u64, String>,
+    bound: &dyn Fn(&[usize]) -> Result<Times, String>,
 ) -> Result<u64, String> {
     let graph = Graph { next, costs, bound };
     let all: Vec<usize> = (0..next.len()).collect();
-    let ends = graph.from(&all, 0, &[])?;
+    let ends = graph.from(&all, 0, &[], None)?;
     let left = ends.into_iter().zip(leave).filter(|(_, leave)| **leave);
     Ok(left.filter_map(|(end, _)| end).max().unwrap_or_default())
 }
@@ -25,7 +36,34 @@ pub fn longest(
 struct Graph<'g> {
     next: &'g [Vec<usize>],
     costs: &'g [u64],
-    bound: &'g dyn Fn(&[usize]) -> Result<u64, String>,
+    bound: &'g dyn Fn(&[usize]) -> Result<Times, String>,
+}
+
+/// A pass of a loop around some blocks.
+struct Around<'g> {
+    /// The line of the loop, among others of its function. No other one of them is around a loop within.
+    places: &'g [Line],
+    /// Number of the pass, in the order of falling cost.
+    pass: usize,
+    /// Set if a loop within follows its counter.
+    followed: &'g Cell<bool>,
+    outer: Option<&'g Around<'g>>,
+}
+
+impl Around<'_> {
+    /// Returns the passes of a loop within.
+    fn passes(this: Option<&Around<'_>>, times: &Times) -> u64 {
+        let Some((place, passes)) = &times.following else { return times.most };
+        let mut around = this;
+        while let Some(it) = around {
+            if it.places.contains(place) {
+                it.followed.set(true);
+                return passes.get(it.pass).copied().unwrap_or_default().min(times.most);
+            }
+            around = it.outer;
+        }
+        times.most
+    }
 }
 
 /// Cost of the longest path to the end of each block; none if the block is not reached.
@@ -33,7 +71,13 @@ type Ends = Vec<Option<u64>>;
 
 impl Graph<'_> {
     /// Returns the longest paths within some blocks, without the edges to the `cut` ones.
-    fn from(&self, blocks: &[usize], entry: usize, cut: &[usize]) -> Result<Ends, String> {
+    fn from(
+        &self,
+        blocks: &[usize],
+        entry: usize,
+        cut: &[usize],
+        outer: Option<&Around<'_>>,
+    ) -> Result<Ends, String> {
         let mut inside = vec![false; self.next.len()];
         blocks.iter().for_each(|it| inside[*it] = true);
         let follow = |block: usize| {
@@ -51,14 +95,31 @@ impl Graph<'_> {
                 };
                 let start = part.iter().filter_map(|it| begins[*it]).max().unwrap_or_default();
                 let around: Vec<usize> = cut.iter().copied().chain([first]).collect();
-                let inner = self.from(&part, first, &around)?;
+                let bound = (self.bound)(&part)?;
+                let followed = Cell::new(false);
+                let nth = |pass: usize| {
+                    let places = &bound.places;
+                    let around_it = Around { places, pass, followed: &followed, outer };
+                    self.from(&part, first, &around, Some(&around_it))
+                };
+                let inner = nth(0)?;
                 let back = |it: &&usize| self.next[**it].contains(&first);
-                let pass = part.iter().filter(back).filter_map(|it| inner[*it]).max();
+                let pass = |inner: &Ends| {
+                    let all = part.iter().filter(back).filter_map(|it| inner[*it]);
+                    all.max().unwrap_or_default()
+                };
                 let leaves = |it: usize| self.next[it].iter().any(|to| !part.contains(to));
                 let behind = part.iter().filter(back).all(|it| leaves(*it));
                 let behind = behind && (part.len() == 1 || !leaves(first));
-                let times = (self.bound)(&part)?.saturating_sub(u64::from(behind));
-                let all = start.saturating_add(pass.unwrap_or_default().saturating_mul(times));
+                let times = Around::passes(outer, &bound).saturating_sub(u64::from(behind));
+                let mut passes = pass(&inner).saturating_mul(times);
+                if followed.get() && times <= ONE_BY_ONE {
+                    passes = 0;
+                    for number in 0..times as usize {
+                        passes += pass(&nth(number)?);
+                    }
+                }
+                let all = start.saturating_add(passes);
                 for block in &part {
                     ends[*block] = inner[*block].map(|it| it.saturating_add(all));
                 }
@@ -127,7 +188,7 @@ mod tests {
 
     fn of(next: &[&[usize]], costs: &[u64], passes: u64) -> u64 {
         let next: Vec<Vec<usize>> = next.iter().map(|it| it.to_vec()).collect();
-        longest(&next, &leave(&next), costs, &|_| Ok(passes)).expect("bounded")
+        longest(&next, &leave(&next), costs, &|_| Ok(Times::from(passes))).expect("bounded")
     }
 
     #[test]
@@ -152,6 +213,22 @@ mod tests {
     fn inner_loops_count_in_each_pass() {
         // 1 → 2 (inner, itself) → 3 → 1 or 4.
         assert_eq!(of(&[&[1], &[2], &[2, 3], &[1, 4], &[]], &[0, 1, 10, 1, 0], 3), 3 * 32);
+    }
+
+    /// 1 (test) → 2 (inner, itself) → 3 → 1; 1 → 4. The inner loop has four passes, then three, two and one.
+    #[test]
+    fn a_loop_that_follows_a_counter_has_the_passes_of_each_value() {
+        let next: Vec<Vec<usize>> = vec![vec![1], vec![2, 4], vec![2, 3], vec![1], vec![]];
+        let outer = ("a.c".to_owned(), 3);
+        let following = Some((outer.clone(), vec![4, 3, 2, 1]));
+        let bound = |blocks: &[usize]| {
+            Ok(match blocks {
+                [2] => Times { places: Vec::new(), most: 4, following: following.clone() },
+                _ => Times { places: vec![outer.clone()], most: 4, following: None },
+            })
+        };
+        let cost = longest(&next, &leave(&next), &[0, 1, 10, 1, 0], &bound).expect("bounded");
+        assert_eq!(cost, 4 * 2 + (4 + 3 + 2 + 1) * 10 + 1);
     }
 
     /// All graphs of four blocks without a way back, against all paths.

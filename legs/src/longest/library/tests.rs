@@ -79,7 +79,9 @@ fn remainders_take_no_more_than_their_figures() {
     for toolchain in [ARM, BARE_A9, CORTEX_M4F].iter().filter(|it| it.is_there()) {
         let processor = processor(toolchain).expect("the model has it");
         let bound = |function, places| {
-            cost(processor, function, None, places, Numbers::Any).expect("a figure").instructions
+            cost(processor, function, Known::default(), places, Numbers::Any)
+                .expect("a figure")
+                .instructions
                 + CALLER
         };
         let mut most = 0;
@@ -180,8 +182,10 @@ fn is_normal(name: &str, words: &[u64]) -> bool {
 fn functions_take_no_more_than_their_figures() {
     for toolchain in [ARM, BARE_A9, CORTEX_M4F].iter().filter(|it| it.is_there()) {
         let processor = processor(toolchain).expect("the model has it");
-        let figure =
-            |name: &str, numbers| cost(processor, name, None, 0, numbers).map(|it| it.instructions);
+        let of = |name: &str, zero, numbers| {
+            cost(processor, name, Known { bytes: None, zero }, 0, numbers).map(|it| it.instructions)
+        };
+        let figure = |name: &str, numbers| of(name, false, numbers);
         let all: Vec<&str> = FUNCTIONS.iter().map(|it| it.0).collect();
         let all: Vec<&str> = all
             .into_iter()
@@ -236,12 +240,20 @@ fn functions_take_no_more_than_their_figures() {
         let (counts, callers) = counted(toolchain, &text, all.len());
         assert_eq!(counts.len(), calls.len());
         let mut most = vec![[0_u64; 2]; all.len()];
+        let mut with_zero = vec![0_u64; all.len()];
         for ((at, words), count) in calls.iter().zip(&counts) {
             let count = count.saturating_sub(callers[*at]);
             most[*at][0] = most[*at][0].max(count);
             if is_normal(all[*at], words) {
                 most[*at][1] = most[*at][1].max(count);
             }
+            if matches!(words[..], [_, 0]) {
+                with_zero[*at] = with_zero[*at].max(count);
+            }
+        }
+        for (name, most) in all.iter().zip(with_zero) {
+            let figure = of(name, true, Numbers::Any).expect("a figure");
+            assert!(most <= figure, "{processor:?}: {name} with a zero takes {most}, not {figure}");
         }
         for (name, most) in all.iter().zip(most) {
             for (numbers, most) in [Numbers::Any, Numbers::Normal].into_iter().zip(most) {
@@ -253,6 +265,10 @@ fn functions_take_no_more_than_their_figures() {
             }
         }
     }
+}
+
+fn of_bytes(bytes: Option<u64>) -> Known {
+    Known { bytes, zero: false }
 }
 
 /// All alignments of both memories, and all lengths up to some lines of a cache.
@@ -290,7 +306,7 @@ fn copies_take_no_more_than_their_figures() {
         for (at, count) in counts.iter().enumerate() {
             let (name, length) = (COPIES[at / per].0, at % LENGTHS);
             let count = count.saturating_sub(callers[at / per]);
-            let figure = cost(processor, name, Some(length as u64), 0, Numbers::Any);
+            let figure = cost(processor, name, of_bytes(Some(length as u64)), 0, Numbers::Any);
             let figure = figure.expect("a figure").instructions;
             assert!(
                 count <= figure,
@@ -302,8 +318,9 @@ fn copies_take_no_more_than_their_figures() {
 
 #[test]
 fn copies_cost_their_bytes_and_unknown_functions_have_no_cost() {
-    let of =
-        |name, bytes| cost(Processor::M4f, name, bytes, 0, Numbers::Any).map(|it| it.instructions);
+    let of = |name, bytes| {
+        cost(Processor::M4f, name, of_bytes(bytes), 0, Numbers::Any).map(|it| it.instructions)
+    };
     assert_eq!([of("memcpy", Some(8)), of("memcpy", None)], [Some(68), None]);
     assert_eq!(quotient(std::f64::consts::TAU), 1023);
     assert_eq!([quotient(0.0), quotient(f64::from_bits(1)), quotient(f64::NAN)], [PLACES; 3]);
