@@ -240,8 +240,14 @@ fn near_float(random: &mut Random, numbers: &[f64]) -> f64 {
 }
 
 /// Mantissas of mixed bits, in numbers of all sizes.
-const SLOW: [f64; 14] = [
+const SLOW: [f64; 20] = [
     0.0,
+    -0.001 / 3.0,
+    0.7,
+    -7.1,
+    1234.5678,
+    -1e6 / 3.0,
+    -1e-9 / 7.0,
     5e-324,
     f64::from_bits(0x000F_FFFF_FFFF_FFFF),
     f64::from_bits(0x0005_5555_5555_5555),

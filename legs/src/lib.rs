@@ -23,6 +23,7 @@ pub mod port;
 pub mod process;
 pub mod random;
 pub mod reached;
+pub mod running;
 pub mod serial;
 pub mod toolchain;
 pub mod trees;

@@ -15,8 +15,8 @@ pub mod workspace;
 
 pub use bessemer_legs::{
     arguments, compiled, compiled_with, entry, harness, interpreter, kernels, outcome,
-    overflow_is_checked, panics, process, random, root, store, texts, toolchain, trees, value,
-    watch, words,
+    overflow_is_checked, panics, process, random, root, running, store, texts, toolchain, trees,
+    value, watch, words,
 };
 
 use bessemer_backend::c::CFile;

@@ -1,11 +1,15 @@
-//! The program that counts calls keeps a state and returns to it, so that the calls before many others run once.
+//! The program that counts calls keeps a state and returns to it, so that the calls before many others run once. It goes on
+//! running for more calls.
+
+use std::path::Path;
 
 use bessemer_codegen::compile::Options;
 use bessemer_tests::harness::{self, GOES_ON, KEEPS, RESTARTS, RETURNS};
 use bessemer_tests::pilot::entry;
-use bessemer_tests::process::lay_out;
+use bessemer_tests::process::{Folder, lay_out};
+use bessemer_tests::running::Running;
 use bessemer_tests::toolchain::{self, ARM};
-use bessemer_tests::watch::watched;
+use bessemer_tests::watch::{self, watched};
 use bessemer_tests::workspace::Workspace;
 
 /// The number of passes of a call is the sum of all arguments so far.
@@ -36,8 +40,8 @@ impl Total {
 }
 ";
 
-#[test]
-fn a_call_that_returns_to_a_state_takes_as_long_as_one_from_it() {
+/// Counts calls of the model, each with its flag and its argument.
+fn with_counts(check: impl FnOnce(&Folder, &Path)) {
     if !ARM.programs().into_iter().all(toolchain::is_asked_for) {
         return;
     }
@@ -48,24 +52,55 @@ fn a_call_that_returns_to_a_state_takes_as_long_as_one_from_it() {
     let main = folder.path().join("main.c");
     let text = harness::counted(&compiled.explicit, &[(step, 2)], &Options::default(), false);
     std::fs::write(&main, text).expect("the program");
-    let counted = |calls: &[(u64, u64)]| {
-        let words = calls.iter().flat_map(|(flag, more)| [0, *flag, *more]);
-        let input: Vec<u8> = words.flat_map(u64::to_le_bytes).collect();
-        let watched = watched(&ARM, folder.path(), &main, folder.sources(), &input);
-        watched.unwrap_or_else(|said| panic!("{said}")).counts
-    };
-    let whole = |more: u64| {
-        *counted(&[(RESTARTS, 100), (GOES_ON, 20), (GOES_ON, more)]).last().expect("a count")
-    };
-    let from_one = counted(&[
-        (RESTARTS, 100),
-        (GOES_ON, 20),
-        (KEEPS, 3),
-        (RETURNS, 400),
-        (GOES_ON, 50),
-        (RETURNS, 0),
-    ]);
-    assert_eq!(from_one.len(), 6);
-    assert_eq!([from_one[2], from_one[3], from_one[5]], [whole(3), whole(400), whole(0)]);
-    assert!(from_one[4] > from_one[3] && from_one[3] > from_one[2] + 397, "{from_one:?}");
+    check(&folder, &main);
+}
+
+fn input(calls: &[(u64, u64)]) -> Vec<u8> {
+    let words = calls.iter().flat_map(|(flag, more)| [0, *flag, *more]);
+    words.flat_map(u64::to_le_bytes).collect()
+}
+
+#[test]
+fn a_call_that_returns_to_a_state_takes_as_long_as_one_from_it() {
+    with_counts(|folder, main| {
+        let counted = |calls: &[(u64, u64)]| {
+            let watched = watched(&ARM, folder.path(), main, folder.sources(), &input(calls));
+            watched.unwrap_or_else(|said| panic!("{said}")).counts
+        };
+        let whole = |more: u64| {
+            *counted(&[(RESTARTS, 100), (GOES_ON, 20), (GOES_ON, more)]).last().expect("a count")
+        };
+        let from_one = counted(&FROM_ONE);
+        assert_eq!(from_one.len(), 6);
+        assert_eq!([from_one[2], from_one[3], from_one[5]], [whole(3), whole(400), whole(0)]);
+        assert!(from_one[4] > from_one[3] && from_one[3] > from_one[2] + 397, "{from_one:?}");
+    });
+}
+
+/// A state is kept, and two calls return to it.
+const FROM_ONE: [(u64, u64); 6] =
+    [(RESTARTS, 100), (GOES_ON, 20), (KEEPS, 3), (RETURNS, 400), (GOES_ON, 50), (RETURNS, 0)];
+
+/// The state stays from one batch of calls to the next, and a program that ends is an error.
+#[test]
+fn a_program_that_goes_on_running_counts_as_one_run_does() {
+    with_counts(|folder, main| {
+        let watched = watched(&ARM, folder.path(), main, folder.sources(), &input(&FROM_ONE));
+        let whole = watched.unwrap_or_else(|said| panic!("{said}")).counts;
+        let own = folder.path().join(watch::FOLDER);
+        let mut running =
+            Running::start(&ARM, &own, &own.join("main")).unwrap_or_else(|said| panic!("{said}"));
+        let mut counts = Vec::new();
+        for calls in FROM_ONE.chunks(2) {
+            let some = running.count(&input(calls), calls.len());
+            counts.extend(some.unwrap_or_else(|said| panic!("{said}")));
+        }
+        assert_eq!(counts, whole);
+        let main = folder.path().join("ends.c");
+        std::fs::write(&main, "int main(void)\n{\n    return 3;\n}\n").expect("a program");
+        let program = watch::built(&ARM, folder.path(), &main, &[], &[]).expect("it compiles");
+        let mut running = Running::start(&ARM, &own, &program).expect("it starts");
+        let said = running.count(&input(&FROM_ONE), 6).expect_err("it reads no calls");
+        assert!(said.contains("exit status: 3"), "{said}");
+    });
 }

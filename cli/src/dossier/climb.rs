@@ -12,19 +12,19 @@ use bessemer_legs::longest::Numbers;
 
 use crate::error::Error;
 use crate::verify::counted::{Counter, LongestCall};
-use crate::verify::search::{Life, Search, Step};
+use crate::verify::search::{Life, Search, Step, Value};
 
 /// Number of early calls at which an ascent begins, and of later ones.
 const BEGINNINGS: usize = 2;
 /// Place of a call in its life from which it is a later one: a state that needs time is in no early one.
 const LATER: usize = 16;
-/// Numbers of last calls that are changed together. The last call is repeated to have that many: time passes, until a sensor
-/// counts as lost.
-const LAST: [usize; 3] = [1, 8, 40];
-/// Instructions of the lives that are counted at once, as long as a start of the emulator.
-const AT_ONCE: u64 = 20_000_000;
-/// Number of words of the lives that are counted at once.
-const MOST: usize = 2 << 20;
+/// Numbers of last calls of the best one that are changed together. The last call is repeated to have that many: time passes,
+/// until a sensor counts as lost.
+const LAST: [usize; 3] = [8, 40, 1];
+/// Instructions of the lives that are counted at once: the next ones begin from the best of them.
+const AT_ONCE: u64 = 10_000_000;
+/// Instructions with which the program reads a word.
+const OF_A_WORD: u64 = 200;
 
 /// A long call, and those before it.
 #[derive(Clone)]
@@ -41,6 +41,12 @@ impl Peak {
     fn of(before: Rc<[Life]>, mut life: Life, longest: LongestCall) -> Peak {
         life.calls.truncate(longest.at + 1);
         Peak { before, life, instructions: longest.instructions }
+    }
+
+    /// Instructions of a program that makes the calls that may be changed.
+    fn cost(&self) -> u64 {
+        let words = self.life.calls.iter().map(Vec::len).sum::<usize>() as u64;
+        self.instructions.max(1) * self.life.calls.len() as u64 + words * OF_A_WORD
     }
 
     /// Returns the same calls, of which the last one may be changed.
@@ -85,6 +91,22 @@ impl Peaks {
         peaks.truncate(BEGINNINGS);
     }
 
+    /// Returns long calls with other numbers as beginnings: a change may give them these numbers.
+    fn beginnings(&self, others: Option<&Peaks>) -> Vec<Peak> {
+        let own = self.0.concat();
+        let longest = own.iter().map(|it| it.instructions).max().unwrap_or_default();
+        let others = others.into_iter().flat_map(|it| it.0.concat());
+        // What is no longer than the longest call with these numbers is no gain.
+        let others = others.map(|it| Peak { instructions: longest, ..it });
+        own.iter().cloned().chain(others).collect()
+    }
+
+    /// Returns the structs of the longest call.
+    pub fn values(&self, search: &Search<'_>) -> Vec<Value> {
+        let longest = self.0.iter().flatten().max_by_key(|it| it.instructions);
+        longest.map(|it| search.values(&it.life)).unwrap_or_default()
+    }
+
     /// Returns the calls that lead to each long call, with it.
     pub fn lives(&self) -> impl Iterator<Item = Vec<Life>> {
         self.0.iter().flatten().map(|it| [&*it.before, std::slice::from_ref(&it.life)].concat())
@@ -92,7 +114,8 @@ impl Peaks {
 }
 
 /// Searches for longer calls of an entry point with these numbers, and notes them. It ends at `enough` instructions of a
-/// call, and when `budget` instructions are counted.
+/// call, and when `budget` instructions are counted. Returns the rest of the budget. It also begins at long calls with other
+/// numbers.
 ///
 /// # Errors
 /// The message of the emulator or the system.
@@ -100,40 +123,68 @@ pub fn climb(
     search: &mut Search<'_>,
     counter: &mut Counter,
     peaks: &mut Peaks,
+    others: Option<&Peaks>,
+    values: &[Value],
     numbers: Numbers,
     [enough, budget]: [u64; 2],
-) -> Result<(), Error> {
-    let beginnings = peaks.0.concat();
-    let each = budget / (beginnings.len() * (LAST.len() + 1)).max(1) as u64;
-    for peak in beginnings {
-        let mut ascent = Ascent { search, counter, left: 0, numbers };
-        let whole = ascent.shortened(peak.clone())?;
-        let mut peak = peak.with_last();
-        for count in LAST {
-            peak = ascent.ascend(peak.repeated(count), enough, each)?;
-        }
-        // Arguments of all calls, which are parameters of the component.
-        let whole = ascent.ascend(whole, enough, each)?;
-        for it in [peak, whole] {
-            let at = it.life.calls.len().saturating_sub(1);
-            peaks.note(&it.before, &it.life, LongestCall { instructions: it.instructions, at });
+) -> Result<u64, Error> {
+    let beginnings = peaks.beginnings(others);
+    let mut ascent = Ascent {
+        search,
+        counter,
+        values,
+        numbers,
+        enough,
+        left: budget,
+        end: 0,
+        helped: Vec::new(),
+    };
+    // Most of the budget is for the best of them.
+    let mut shares = (beginnings.len() + LAST.len() + 1) as u64;
+    let mut best: Option<(Peak, Peak)> = None;
+    for whole in beginnings {
+        let peak = ascent.ascend(whole.clone().with_last(), shares)?;
+        shares -= 1;
+        if best.as_ref().is_none_or(|it| it.0.instructions < peak.instructions) {
+            best = Some((peak, whole));
         }
     }
-    Ok(())
+    let Some((mut peak, whole)) = best else { return Ok(budget) };
+    let whole = ascent.shortened(whole)?;
+    // Arguments of all calls, which are parameters of the component.
+    let whole = ascent.ascend(whole, shares)?;
+    for count in LAST {
+        shares -= 1;
+        peak = ascent.ascend(peak.with_last().repeated(count), shares)?;
+    }
+    for it in [peak, whole] {
+        let at = it.life.calls.len().saturating_sub(1);
+        peaks.note(&it.before, &it.life, LongestCall { instructions: it.instructions, at });
+    }
+    Ok(ascent.left)
 }
 
 struct Ascent<'a, 'm> {
     search: &'a mut Search<'m>,
     counter: &'a mut Counter,
-    left: u64,
+    /// Structs of long calls of other functions.
+    values: &'a [Value],
     numbers: Numbers,
+    /// Instructions of a call at which the search ends.
+    enough: u64,
+    /// Instructions that may still be counted.
+    left: u64,
+    /// The rest that is for later ascents.
+    end: u64,
+    /// Changes that made a call longer, the latest first: they often help elsewhere, too.
+    helped: Vec<Step>,
 }
 
 impl Ascent<'_, '_> {
-    /// Makes passes until none helps. Returns the longest call.
-    fn ascend(&mut self, mut peak: Peak, enough: u64, budget: u64) -> Result<Peak, Error> {
-        self.left = budget;
-        while peak.instructions < enough {
+    /// Makes passes until none helps, or until one of so many shares of the rest is spent. Returns the longest call.
+    fn ascend(&mut self, mut peak: Peak, shares: u64) -> Result<Peak, Error> {
+        self.end = self.left - self.left / shares.max(1);
+        while peak.instructions < self.enough {
             match self.pass(&peak)? {
                 Some(higher) => peak = higher,
                 None => break,
@@ -142,9 +193,18 @@ impl Ascent<'_, '_> {
         Ok(peak)
     }
 
-    /// Counts lives, and cuts each behind its longest call.
-    fn count(&mut self, before: &Rc<[Life]>, lives: Vec<Life>) -> Result<Vec<Peak>, Error> {
-        let found = self.counter.count_after(before, &lives)?;
+    /// Counts lives, and cuts each behind its longest call. One of at most `floor` instructions may have none.
+    fn count(
+        &mut self,
+        before: &Rc<[Life]>,
+        lives: Vec<Life>,
+        floor: u64,
+    ) -> Result<Vec<Peak>, Error> {
+        let floor = match self.numbers {
+            Numbers::Any => u64::MAX,
+            Numbers::Normal => floor,
+        };
+        let found = self.counter.count_after(before, &lives, floor)?;
         let longest = found.into_iter().map(|it| it.of(self.numbers));
         let of = |(longest, life)| Peak::of(Rc::clone(before), life, longest);
         Ok(longest.zip(lives).map(of).collect())
@@ -160,38 +220,43 @@ impl Ascent<'_, '_> {
         };
         let lives: Vec<Life> = cuts.take_while(|it| *it < all.len()).map(cut).collect();
         let near = |it: &Peak| 50 * it.instructions >= 49 * peak.instructions;
-        let found = self.count(&peak.before, lives)?.into_iter().find(near);
+        let found = self.count(&peak.before, lives, 0)?.into_iter().find(near);
         Ok(found.unwrap_or(peak))
     }
 
     /// Tries each change of one word, and joins those that helped. Returns none if none did.
     fn pass(&mut self, peak: &Peak) -> Result<Option<Peak>, Error> {
-        let mut steps = self.search.steps(peak.life.target, self.numbers);
+        let mut steps = self.search.steps(peak.life.target, self.numbers, self.values);
         if peak.life.calls.len() == 1 {
             steps.retain(|it| !it.all);
         }
+        let place = |step: &Step| self.helped.iter().position(|it| it == step);
+        steps.sort_by_cached_key(|step| place(step).unwrap_or(usize::MAX));
         let mut peak = peak.clone();
         let first = peak.instructions;
         let mut rest = &steps[..];
         while !rest.is_empty() {
-            let cost = peak.instructions.max(1) * peak.life.calls.len() as u64;
-            let before: usize = peak.before.iter().map(|it| it.calls.len()).sum();
-            let cost_before = peak.instructions * before as u64;
-            if self.left < cost {
+            let cost = peak.cost();
+            let left = self.left - self.end;
+            if left < cost {
                 break;
             }
-            let words = peak.life.calls.iter().map(Vec::len).sum::<usize>();
-            let most = (MOST / words.max(1)).min((self.left / cost) as usize);
-            // The calls before are counted again with each group.
-            let count = (AT_ONCE.max(cost_before) / cost) as usize;
-            let (some, others) = rest.split_at(count.min(most).clamp(1, rest.len()));
+            let most = (AT_ONCE.min(left) / cost) as usize;
+            let (some, others) = rest.split_at(most.clamp(1, rest.len()));
             rest = others;
             self.left -= cost * some.len() as u64;
-            let lives = some.iter().map(|it| self.search.stepped(&peak.life, &[*it])).collect();
-            let found = self.count(&peak.before, lives)?;
+            let lives = some
+                .iter()
+                .map(|it| self.search.stepped(&peak.life, std::slice::from_ref(it)))
+                .collect();
+            let found = self.count(&peak.before, lives, peak.instructions)?;
             let counts = found.into_iter().map(|it| it.instructions);
-            let chosen = chosen(counts.zip(some.iter().copied()), peak.instructions);
-            peak = self.joined(&peak, &chosen)?.unwrap_or(peak);
+            let chosen = chosen(counts.zip(some.iter().cloned()), peak.instructions);
+            if let Some(longer) = self.joined(&peak, &chosen)? {
+                self.helped.retain(|it| !chosen.contains(it));
+                self.helped.splice(0..0, chosen);
+                peak = longer;
+            }
         }
         Ok((peak.instructions > first).then_some(peak))
     }
@@ -205,7 +270,7 @@ impl Ascent<'_, '_> {
         let mut joined: Vec<usize> = counts.take_while(|it| *it < steps.len()).collect();
         joined.push(steps.len());
         let lives = joined.iter().map(|it| self.search.stepped(&peak.life, &steps[..*it]));
-        let found = self.count(&peak.before, lives.collect())?;
+        let found = self.count(&peak.before, lives.collect(), peak.instructions)?;
         let best = found.into_iter().max_by_key(|it| it.instructions);
         Ok(best.filter(|it| it.instructions > peak.instructions))
     }

@@ -188,16 +188,24 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
         results.extend(outcomes);
         coverage = report;
         let calls = known::Known::of(search, own.tests.as_ref(), wanted.fill);
-        say("running the calls with sanitizers");
-        results.extend(sanitized::checked(&project, &compiled, &calls));
-        say("proving contracts");
-        let (outcome, rows) = contracts::proved(&project, &compiled, &c);
-        results.push(outcome);
-        proved = rows;
         let targets = checks::targets();
-        say("finding the longest paths, and counting calls");
         let (project, compiled, calls) = (&project, &compiled, &calls);
-        let found = worst::on_all(project, compiled, &targets, calls);
+        // None of them uses all processors the whole time.
+        let (others, found) = std::thread::scope(|scope| {
+            let others = scope.spawn(|| {
+                say("running the calls with sanitizers");
+                let outcomes = sanitized::checked(project, compiled, calls);
+                say("proving contracts");
+                (outcomes, contracts::proved(project, compiled, &c))
+            });
+            say("finding the longest paths, and counting calls");
+            let found = worst::on_all(project, compiled, &targets, calls);
+            (joined(others), found)
+        });
+        let (sanitized, (contracts, rows)) = others;
+        results.extend(sanitized);
+        results.push(contracts);
+        proved = rows;
         for (outcome, rows) in found {
             results.push(outcome);
             paths.extend(rows);

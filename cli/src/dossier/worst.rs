@@ -16,21 +16,19 @@ use super::climb::{Peaks, climb};
 use super::known::Known;
 use super::{joined, outcome};
 use crate::error::Error;
-use crate::verify::counted::{Both, Counter};
-use crate::verify::search::{Life, Search};
+use crate::verify::counted::{Both, Counter, Row};
+use crate::verify::search::{Life, Search, Value};
 
 /// Most instructions, by their bounds, of the recorded calls of one entry point: some minutes of emulation.
 const BUDGET: u64 = 20_000_000_000;
 
 /// Instructions that are counted to climb at one entry point, for each round of the search.
-const CLIMB: u64 = 20_000_000;
-/// [`CLIMB`] where doubles are the library's, so that all calls are longer and are counted twice.
-const CLIMB_SOFT: u64 = 40_000_000;
+const CLIMB: u64 = 200_000_000;
 /// [`CLIMB`] with subnormal numbers, of which no bound is near.
 const CLIMB_SUBNORMAL: u64 = 1_500_000;
 
-/// Number of words of the calls that one program counts: 64 MB.
-const MOST: usize = 8 << 20;
+/// Number of words of the calls that are counted at once.
+const MOST: usize = 1 << 18;
 /// Number of changed lives of an entry point in a round, and of made lives of a function that others follow.
 const BATCH: usize = 16;
 /// A search ends at an entry point whose bound is at most this many percent of the most that was counted.
@@ -73,13 +71,10 @@ fn counted(
         ascents.insert(0, Ascents::new(Numbers::Any, of(Numbers::Any)));
     }
     let bounds = of(Numbers::Any);
-    let mut count = |counter: &mut Counter, lives: &[Life]| -> Result<(), Error> {
-        for (life, both) in lives.iter().zip(counter.count(lives)?) {
-            ascents.iter_mut().for_each(|it| it.note(&[], life, both));
-        }
-        Ok(())
+    let mut count = |counter: &mut Counter, lives: Vec<Life>| -> Result<(), Error> {
+        of_rows(&lives.into_iter().map(|it| vec![it]).collect::<Vec<Row>>(), counter, &mut ascents)
     };
-    count(&mut counter, &known.lives)?;
+    count(&mut counter, known.lives.clone())?;
     let mut rest: Vec<u64> = bounds.iter().map(|it| BUDGET / it.unwrap_or(BUDGET)).collect();
     let (mut lives, mut words) = (Vec::new(), 0);
     known.of_tests(compiled, |mut life| {
@@ -89,12 +84,12 @@ fn counted(
         words += life.calls.iter().map(Vec::len).sum::<usize>();
         lives.push(life);
         if words > MOST {
-            count(&mut counter, &std::mem::take(&mut lives))?;
+            count(&mut counter, std::mem::take(&mut lives))?;
             words = 0;
         }
         Ok(())
     })?;
-    count(&mut counter, &lives)?;
+    count(&mut counter, lives)?;
     lengthened(known, &mut counter, &mut ascents, exchange)?;
     let of = |id| {
         functions.iter().position(|it| *it == id).map_or(Both::default(), |at| counter.most[at])
@@ -148,9 +143,9 @@ fn lengthened(
         let open = |at: &usize| ascents.iter().any(|it| it.is_open(counter, *at));
         let open: Vec<usize> = (0..counter.most.len()).filter(open).collect();
         let changed = |at: &usize| search.changed(*at).into_iter().take(BATCH).collect::<Vec<_>>();
-        let lives: Vec<Life> = open.iter().flat_map(changed).collect();
+        let rows: Vec<Row> = open.iter().flat_map(changed).map(|it| vec![it]).collect();
         let before = counter.most.clone();
-        for (life, both) in lives.iter().zip(counter.count(&lives)?) {
+        for (life, both) in rows.iter().flatten().zip(counter.count(&rows)?) {
             let before = before[life.target];
             let longer = ascents
                 .iter()
@@ -172,20 +167,7 @@ fn lengthened(
         }
         None => None,
     };
-    let soft = ascents.len() > 1;
-    for it in ascents.iter_mut() {
-        for at in 0..it.bounds.len() {
-            if let Some(bound) = it.bounds[at].filter(|_| it.is_open(counter, at)) {
-                let budget = match (soft, it.numbers) {
-                    (false, _) => CLIMB,
-                    (true, Numbers::Normal) => CLIMB_SOFT,
-                    (true, Numbers::Any) => CLIMB_SUBNORMAL,
-                };
-                let ends = [100 * bound / CLOSE, known.rounds.saturating_mul(budget)];
-                climb(&mut search, counter, &mut it.peaks[at], it.numbers, ends)?;
-            }
-        }
-    }
+    climbed(known, &mut search, counter, ascents)?;
     if let Some(longest) = longest {
         let of = |it: &Ascents| it.peaks.iter().flat_map(Peaks::lives).collect::<Vec<_>>();
         // Nobody waits where no other target is installed.
@@ -194,13 +176,50 @@ fn lengthened(
     Ok(())
 }
 
-/// Counts rows of lives: those of another target, or made ones.
-fn of_rows(
-    rows: &[Vec<Life>],
+/// Climbs at each entry point whose bound is far above the most that was counted.
+fn climbed(
+    known: &Known<'_>,
+    search: &mut Search<'_>,
     counter: &mut Counter,
     ascents: &mut [Ascents],
 ) -> Result<(), Error> {
-    for (row, both) in rows.iter().zip(counter.count_rows(rows)?) {
+    let soft = ascents.len() > 1;
+    let mut others: Option<Vec<Peaks>> = None;
+    for it in ascents.iter_mut() {
+        let mut open: Vec<(u64, usize)> = (0..it.bounds.len())
+            .filter(|at| it.is_open(counter, *at))
+            .filter_map(|at| Some((it.bounds[at]?, at)))
+            .collect();
+        // Long calls have more words to change, and get what short ones leave.
+        open.sort_unstable();
+        let budget = match (soft, it.numbers) {
+            (true, Numbers::Any) => CLIMB_SUBNORMAL,
+            _ => CLIMB,
+        };
+        let mut left = known.rounds.saturating_mul(budget).saturating_mul(open.len() as u64);
+        for (done, (bound, at)) in open.iter().enumerate() {
+            let share = left / (open.len() - done) as u64;
+            let ends = [100 * bound / CLOSE, share];
+            let values: Vec<Value> = it.peaks.iter().flat_map(|it| it.values(search)).collect();
+            let rest = climb(
+                search,
+                counter,
+                &mut it.peaks[*at],
+                others.as_ref().and_then(|it| it.get(*at)),
+                &values,
+                it.numbers,
+                ends,
+            )?;
+            left -= share - rest;
+        }
+        others = Some(it.peaks.clone());
+    }
+    Ok(())
+}
+
+/// Counts rows of lives: those of another target, or made ones.
+fn of_rows(rows: &[Row], counter: &mut Counter, ascents: &mut [Ascents]) -> Result<(), Error> {
+    for (row, both) in rows.iter().zip(counter.count(rows)?) {
         let Some((life, before)) = row.split_last() else { continue };
         ascents.iter_mut().for_each(|it| it.note(before, life, both));
     }
@@ -307,8 +326,8 @@ fn paths(
         }),
     };
     let most = counted.as_ref().map(|it| it.1.clone()).unwrap_or_default();
-    let rows: Vec<Row> =
-        list.iter().enumerate().map(|(at, it)| Row::of(it, most.get(at).copied())).collect();
+    let rows: Vec<Line> =
+        list.iter().enumerate().map(|(at, it)| Line::of(it, most.get(at).copied())).collect();
     let bounds = rows.iter().filter(|it| it.any.bound.is_some()).count();
     let mut detail = format!("{bounds} of {} entry points have a bound", rows.len());
     let mut verdict = PASSED;
@@ -330,14 +349,14 @@ fn paths(
             }
         }
     }
-    let rows = rows.iter().map(Row::cells).collect();
+    let rows = rows.iter().map(Line::cells).collect();
     let target = format!("{name}: {compiler}, -O2");
     let paths = Paths { target, rows, has_normal: longest::has_slow_numbers(&toolchain) };
     (of(verdict, detail), Some(paths))
 }
 
 /// An entry point with its path and the most that was counted.
-struct Row {
+struct Line {
     entry: String,
     any: Pair,
     normal: Pair,
@@ -368,13 +387,13 @@ impl Pair {
     }
 }
 
-impl Row {
-    fn of(longest: &Longest, most: Option<Both>) -> Row {
+impl Line {
+    fn of(longest: &Longest, most: Option<Both>) -> Line {
         let pair = |numbers| Pair {
             bound: bound(longest, numbers),
             most: most.map_or(0, |it| it.of(numbers).instructions),
         };
-        Row {
+        Line {
             entry: longest.entry.clone(),
             any: pair(Numbers::Any),
             normal: pair(Numbers::Normal),
@@ -403,10 +422,10 @@ impl Row {
 mod tests {
     use super::*;
 
-    fn row(most: u64) -> Row {
+    fn row(most: u64) -> Line {
         let any = Pair { bound: Some(Cost { instructions: 100, cycles: 250 }), most };
         let normal = Pair { bound: Some(Cost { instructions: 50, cycles: 100 }), most: 40 };
-        Row { entry: "motor_step".to_owned(), any, normal, why: String::new() }
+        Line { entry: "motor_step".to_owned(), any, normal, why: String::new() }
     }
 
     #[test]
@@ -417,7 +436,7 @@ mod tests {
         normal.normal.most = 51;
         assert!(normal.is_beyond());
         let pair = |most| Pair { bound: None, most };
-        let none = Row { any: pair(80), normal: pair(0), why: "no bound".to_owned(), ..row(80) };
+        let none = Line { any: pair(80), normal: pair(0), why: "no bound".to_owned(), ..row(80) };
         assert_eq!(none.cells(), ["motor_step", "no bound", "", "80", "", "", "", ""]);
         assert!(!none.is_beyond());
         assert_eq!(row(0).cells()[3..5], ["", ""]);

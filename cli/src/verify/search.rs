@@ -4,6 +4,8 @@
 //! Invariants: each life begins in the initial state, so that what it reaches can be reached; a seed gives the same lives
 //! each time. It must not know how the coverage is measured.
 
+use std::rc::Rc;
+
 use bessemer_ir::{FunctionId, Mode, Module, Owner, Role, Scalar, Type};
 use bessemer_legs::arguments::{self, Numbers, Size};
 use bessemer_legs::harness;
@@ -47,18 +49,21 @@ impl Life {
     }
 }
 
-/// A change of one word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A change of one word, or of a struct.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Step {
     /// Place of the argument.
     pub argument: usize,
-    /// Place of the word in it.
+    /// Place of the first word in it.
     pub leaf: usize,
-    /// The new word.
-    pub word: u64,
+    /// The new words.
+    pub words: Rc<[u64]>,
     /// True if all calls of a life are changed, and not only the last one.
     pub all: bool,
 }
+
+/// A struct with its words.
+pub type Value = (Type, Rc<[u64]>);
 
 /// A function that is called.
 #[derive(Clone)]
@@ -167,29 +172,51 @@ impl<'m> Search<'m> {
         }
     }
 
-    /// Returns the changes of one word that may make a call longer.
+    /// Returns the structs of the last call of a life.
+    pub fn values(&self, life: &Life) -> Vec<Value> {
+        let mut words = life.calls.last().map_or(&[][..], Vec::as_slice);
+        let mut values = Vec::new();
+        for (ty, leaves) in &self.targets[life.target].arguments {
+            let Some((own, rest)) = words.split_at_checked(leaves.len()) else { break };
+            if let Type::Struct(_) = ty {
+                values.push((ty.clone(), Rc::from(own)));
+            }
+            words = rest;
+        }
+        values
+    }
+
+    /// Returns the changes of one word or of a struct to one of `values` that may make a call longer.
     ///
-    /// Flags and variants choose a path, so their changes come first, and the changes of numbers last. Each group is in random
-    /// order.
-    pub fn steps(&mut self, place: usize, numbers: Met) -> Vec<Step> {
+    /// Flags and variants choose a path, so their changes come first, behind those of structs, and the changes of numbers last.
+    /// Each group is in random order.
+    pub fn steps(&mut self, place: usize, numbers: Met, values: &[Value]) -> Vec<Step> {
         let (mut choices, mut others) = (Vec::new(), Vec::new());
         for (argument, (_, leaves)) in self.targets[place].arguments.iter().enumerate() {
             for (leaf, ty) in leaves.iter().enumerate() {
                 let chooses = matches!(ty, Type::Enum(_) | Type::Scalar(Scalar::Bool));
                 let steps = if chooses { &mut choices } else { &mut others };
                 for word in arguments::slow(self.module, ty, numbers == Met::Any) {
-                    let of = |all| Step { argument, leaf, word, all };
+                    let of = |all| Step { argument, leaf, words: Rc::from([word]), all };
                     steps.extend([of(false), of(true)]);
                 }
             }
         }
-        for steps in [&mut choices, &mut others] {
+        let mut structs = Vec::new();
+        for (argument, (ty, _)) in self.targets[place].arguments.iter().enumerate() {
+            for (ty, leaf) in parts(self.module, ty) {
+                for (_, words) in values.iter().filter(|it| it.0 == ty) {
+                    let of = |all| Step { argument, leaf, words: words.clone(), all };
+                    structs.extend([of(false), of(true)]);
+                }
+            }
+        }
+        for steps in [&mut structs, &mut choices, &mut others] {
             for at in (1..steps.len()).rev() {
                 steps.swap(at, self.random.below(at + 1));
             }
         }
-        choices.append(&mut others);
-        choices
+        [structs, choices, others].concat()
     }
 
     /// Returns a life with these changes, each of the last call or of all.
@@ -202,7 +229,9 @@ impl<'m> Search<'m> {
             let first = if step.all { 0 } else { life.calls.len().saturating_sub(1) };
             for call in life.calls.iter_mut().skip(first) {
                 let value = &mut call[before..before + leaves.len()];
-                arguments::set(self.module, ty, leaves, value, (step.leaf, step.word));
+                for (at, word) in step.words.iter().enumerate() {
+                    arguments::set(self.module, ty, leaves, value, (step.leaf + at, *word));
+                }
             }
         }
         life
@@ -231,6 +260,29 @@ impl<'m> Search<'m> {
             lives.push(Life { target: place, calls });
         }
         lives
+    }
+}
+
+/// Returns the structs that a type is or has, each with the place of its first word.
+fn parts(module: &Module, ty: &Type) -> Vec<(Type, usize)> {
+    let of = |ty: &Type, first: usize| {
+        let inner = parts(module, ty).into_iter();
+        inner.map(move |(ty, at)| (ty, first + at)).collect::<Vec<_>>()
+    };
+    match ty {
+        Type::Struct(id) => {
+            let (mut all, mut first) = (vec![(ty.clone(), 0)], 0);
+            for field in &module.structs[id.index()].fields {
+                all.extend(of(&field.ty, first));
+                first += module.leaves(&field.ty).len();
+            }
+            all
+        }
+        Type::Array { element, len } => {
+            let width = module.leaves(element).len();
+            (0..*len as usize).flat_map(|at| of(element, at * width)).collect()
+        }
+        _ => Vec::new(),
     }
 }
 
