@@ -123,12 +123,13 @@ void balancing_swung(const double state[4], const double push[1],
 void balancing_swung_jacobian(const double state[4], const double push[1],
     triple_vector4_f64_matrix4x4_f64_vector4_f64_t *BESSEMER_RESTRICT result)
 {
-    const double sin_state_1 = sine_sin(state[1]);
-    const double cos_state_1 = sine_cos(state[1]);
-    const double slope = -sin_state_1;
-    const double turn = (9.81 * sin_state_1 - push[0] * cos_state_1) / 0.5 - 0.1 * state[3];
-    const double turn_d1 = (9.81 * cos_state_1 - push[0] * slope) / 0.5;
-    const double turn_d4 = -cos_state_1 / 0.5;
+    pair_f64_f64_t sin_cos_state_1;
+    sine_sin_cos(state[1], &sin_cos_state_1);
+    const double slope = -sin_cos_state_1.first;
+    const double turn = (9.81 * sin_cos_state_1.first - push[0] * sin_cos_state_1.second) / 0.5
+        - 0.1 * state[3];
+    const double turn_d1 = (9.81 * sin_cos_state_1.second - push[0] * slope) / 0.5;
+    const double turn_d4 = -sin_cos_state_1.second / 0.5;
     const double speed = state[2] + PERIOD * push[0];
     const double rate = state[3] + PERIOD * turn;
     const double rate_d1 = PERIOD * turn_d1;

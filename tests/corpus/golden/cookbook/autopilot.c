@@ -10,7 +10,7 @@ static const uint64_t SEEN[10] = {
 };
 
 static void autopilot_predicted(const double state[24], const imu_t *imu, double period,
-    symmetric_f64_24_t *BESSEMER_RESTRICT covariance, double result[24]);
+    symmetric_f64_24_t *BESSEMER_RESTRICT covariance, double next[24]);
 static void autopilot_magnetic_jacobian(const double seen[10],
     pair_vector3_f64_matrix3x10_f64_t *BESSEMER_RESTRICT result);
 
@@ -164,10 +164,10 @@ void autopilot_advanced(const double state[24], const imu_t *imu, double period,
 
 /**
  * The state after one period; `covariance` becomes the covariance of its errors.
- * `result` may be `state`: nothing is read after it is written.
+ * `next` may be `state`: nothing is read after it is written.
  */
 static void autopilot_predicted(const double state[24], const imu_t *imu, double period,
-    symmetric_f64_24_t *BESSEMER_RESTRICT covariance, double result[24])
+    symmetric_f64_24_t *BESSEMER_RESTRICT covariance, double next[24])
 {
     const double half = 0.5 * period;
     const double half_0 = half * (imu->rate[0] - state[10]);
@@ -251,6 +251,30 @@ static void autopilot_predicted(const double state[24], const imu_t *imu, double
     const double next_7 = state[7] + period * state[4];
     const double next_8 = state[8] + period * state[5];
     const double next_9 = state[9] + period * state[6];
+    next[0] = next_0;
+    next[1] = next_1;
+    next[2] = next_2;
+    next[3] = next_3;
+    next[4] = next_4;
+    next[5] = next_5;
+    next[6] = next_6;
+    next[7] = next_7;
+    next[8] = next_8;
+    next[9] = next_9;
+    next[10] = state[10];
+    next[11] = state[11];
+    next[12] = state[12];
+    next[13] = state[13];
+    next[14] = state[14];
+    next[15] = state[15];
+    next[16] = state[16];
+    next[17] = state[17];
+    next[18] = state[18];
+    next[19] = state[19];
+    next[20] = state[20];
+    next[21] = state[21];
+    next[22] = state[22];
+    next[23] = state[23];
     const double row_7_7 = covariance->elements[7 + 24 * 7]
         + period * covariance->elements[4 + 24 * 7];
     const double row_7_8 = covariance->elements[7 + 24 * 8]
@@ -292,19 +316,19 @@ static void autopilot_predicted(const double state[24], const imu_t *imu, double
         covariance->elements[k + 24U * 9U] = row_9;
     }
     const double block_7_7 = row_7_7 + period * covariance->elements[7 + 24 * 4];
-    covariance->elements[7 + 24 * 7] = block_7_7;
     const double block_8_7 = row_7_8 + period * covariance->elements[7 + 24 * 5];
+    const double block_8_8 = row_8_8 + period * covariance->elements[8 + 24 * 5];
+    const double block_9_7 = row_7_9 + period * covariance->elements[7 + 24 * 6];
+    const double block_9_8 = row_8_9 + period * covariance->elements[8 + 24 * 6];
+    const double block_9_9 = row_9_9 + period * covariance->elements[9 + 24 * 6];
+    covariance->elements[7 + 24 * 7] = block_7_7;
     covariance->elements[8 + 24 * 7] = block_8_7;
     covariance->elements[7 + 24 * 8] = block_8_7;
-    const double block_8_8 = row_8_8 + period * covariance->elements[8 + 24 * 5];
     covariance->elements[8 + 24 * 8] = block_8_8;
-    const double block_9_7 = row_7_9 + period * covariance->elements[7 + 24 * 6];
     covariance->elements[9 + 24 * 7] = block_9_7;
     covariance->elements[7 + 24 * 9] = block_9_7;
-    const double block_9_8 = row_8_9 + period * covariance->elements[8 + 24 * 6];
     covariance->elements[9 + 24 * 8] = block_9_8;
     covariance->elements[8 + 24 * 9] = block_9_8;
-    const double block_9_9 = row_9_9 + period * covariance->elements[9 + 24 * 6];
     covariance->elements[9 + 24 * 9] = block_9_9;
     const double row_4_4 = covariance->elements[4 + 24 * 4]
         + north_d0 * covariance->elements[0 + 24 * 4] + north_d1 * covariance->elements[1 + 24 * 4]
@@ -412,141 +436,41 @@ static void autopilot_predicted(const double state[24], const imu_t *imu, double
         + north_d13 * covariance->elements[4 + 24 * 13]
         + north_d14 * covariance->elements[4 + 24 * 14]
         + north_d15 * covariance->elements[4 + 24 * 15];
-    covariance->elements[4 + 24 * 4] = block_4_4;
     const double block_5_4 = row_4_5 + east_d0 * covariance->elements[4 + 24 * 0]
         + east_d1 * covariance->elements[4 + 24 * 1] + east_d2 * covariance->elements[4 + 24 * 2]
         + east_d3 * covariance->elements[4 + 24 * 3] + east_d13 * covariance->elements[4 + 24 * 13]
         + east_d14 * covariance->elements[4 + 24 * 14]
         + east_d15 * covariance->elements[4 + 24 * 15];
-    covariance->elements[5 + 24 * 4] = block_5_4;
-    covariance->elements[4 + 24 * 5] = block_5_4;
     const double block_5_5 = row_5_5 + east_d0 * covariance->elements[5 + 24 * 0]
         + east_d1 * covariance->elements[5 + 24 * 1] + east_d2 * covariance->elements[5 + 24 * 2]
         + east_d3 * covariance->elements[5 + 24 * 3] + east_d13 * covariance->elements[5 + 24 * 13]
         + east_d14 * covariance->elements[5 + 24 * 14]
         + east_d15 * covariance->elements[5 + 24 * 15];
-    covariance->elements[5 + 24 * 5] = block_5_5;
     const double block_6_4 = row_4_6 + down_d0 * covariance->elements[4 + 24 * 0]
         + down_d1 * covariance->elements[4 + 24 * 1] + down_d2 * covariance->elements[4 + 24 * 2]
         + down_d3 * covariance->elements[4 + 24 * 3] + down_d13 * covariance->elements[4 + 24 * 13]
         + down_d14 * covariance->elements[4 + 24 * 14]
         + down_d15 * covariance->elements[4 + 24 * 15];
-    covariance->elements[6 + 24 * 4] = block_6_4;
-    covariance->elements[4 + 24 * 6] = block_6_4;
     const double block_6_5 = row_5_6 + down_d0 * covariance->elements[5 + 24 * 0]
         + down_d1 * covariance->elements[5 + 24 * 1] + down_d2 * covariance->elements[5 + 24 * 2]
         + down_d3 * covariance->elements[5 + 24 * 3] + down_d13 * covariance->elements[5 + 24 * 13]
         + down_d14 * covariance->elements[5 + 24 * 14]
         + down_d15 * covariance->elements[5 + 24 * 15];
-    covariance->elements[6 + 24 * 5] = block_6_5;
-    covariance->elements[5 + 24 * 6] = block_6_5;
     const double block_6_6 = row_6_6 + down_d0 * covariance->elements[6 + 24 * 0]
         + down_d1 * covariance->elements[6 + 24 * 1] + down_d2 * covariance->elements[6 + 24 * 2]
         + down_d3 * covariance->elements[6 + 24 * 3] + down_d13 * covariance->elements[6 + 24 * 13]
         + down_d14 * covariance->elements[6 + 24 * 14]
         + down_d15 * covariance->elements[6 + 24 * 15];
+    covariance->elements[4 + 24 * 4] = block_4_4;
+    covariance->elements[5 + 24 * 4] = block_5_4;
+    covariance->elements[4 + 24 * 5] = block_5_4;
+    covariance->elements[5 + 24 * 5] = block_5_5;
+    covariance->elements[6 + 24 * 4] = block_6_4;
+    covariance->elements[4 + 24 * 6] = block_6_4;
+    covariance->elements[6 + 24 * 5] = block_6_5;
+    covariance->elements[5 + 24 * 6] = block_6_5;
     covariance->elements[6 + 24 * 6] = block_6_6;
-    const double row_0_0 = covariance->elements[0 + 24 * 0]
-        + next_0_d1 * covariance->elements[1 + 24 * 0]
-        + next_0_d2 * covariance->elements[2 + 24 * 0]
-        + next_0_d3 * covariance->elements[3 + 24 * 0]
-        + next_0_d10 * covariance->elements[10 + 24 * 0]
-        + next_0_d11 * covariance->elements[11 + 24 * 0]
-        + next_0_d12 * covariance->elements[12 + 24 * 0];
-    const double row_0_1 = covariance->elements[0 + 24 * 1]
-        + next_0_d1 * covariance->elements[1 + 24 * 1]
-        + next_0_d2 * covariance->elements[2 + 24 * 1]
-        + next_0_d3 * covariance->elements[3 + 24 * 1]
-        + next_0_d10 * covariance->elements[10 + 24 * 1]
-        + next_0_d11 * covariance->elements[11 + 24 * 1]
-        + next_0_d12 * covariance->elements[12 + 24 * 1];
-    const double row_0_2 = covariance->elements[0 + 24 * 2]
-        + next_0_d1 * covariance->elements[1 + 24 * 2]
-        + next_0_d2 * covariance->elements[2 + 24 * 2]
-        + next_0_d3 * covariance->elements[3 + 24 * 2]
-        + next_0_d10 * covariance->elements[10 + 24 * 2]
-        + next_0_d11 * covariance->elements[11 + 24 * 2]
-        + next_0_d12 * covariance->elements[12 + 24 * 2];
-    const double row_0_3 = covariance->elements[0 + 24 * 3]
-        + next_0_d1 * covariance->elements[1 + 24 * 3]
-        + next_0_d2 * covariance->elements[2 + 24 * 3]
-        + next_0_d3 * covariance->elements[3 + 24 * 3]
-        + next_0_d10 * covariance->elements[10 + 24 * 3]
-        + next_0_d11 * covariance->elements[11 + 24 * 3]
-        + next_0_d12 * covariance->elements[12 + 24 * 3];
-    const double row_1_0 = covariance->elements[1 + 24 * 0]
-        + half_0 * covariance->elements[0 + 24 * 0] + half_2_2 * covariance->elements[2 + 24 * 0]
-        + next_1_d3 * covariance->elements[3 + 24 * 0]
-        + next_1_d10 * covariance->elements[10 + 24 * 0]
-        + next_1_d11 * covariance->elements[11 + 24 * 0]
-        + next_1_d12 * covariance->elements[12 + 24 * 0];
-    const double row_1_1 = covariance->elements[1 + 24 * 1]
-        + half_0 * covariance->elements[0 + 24 * 1] + half_2_2 * covariance->elements[2 + 24 * 1]
-        + next_1_d3 * covariance->elements[3 + 24 * 1]
-        + next_1_d10 * covariance->elements[10 + 24 * 1]
-        + next_1_d11 * covariance->elements[11 + 24 * 1]
-        + next_1_d12 * covariance->elements[12 + 24 * 1];
-    const double row_1_2 = covariance->elements[1 + 24 * 2]
-        + half_0 * covariance->elements[0 + 24 * 2] + half_2_2 * covariance->elements[2 + 24 * 2]
-        + next_1_d3 * covariance->elements[3 + 24 * 2]
-        + next_1_d10 * covariance->elements[10 + 24 * 2]
-        + next_1_d11 * covariance->elements[11 + 24 * 2]
-        + next_1_d12 * covariance->elements[12 + 24 * 2];
-    const double row_1_3 = covariance->elements[1 + 24 * 3]
-        + half_0 * covariance->elements[0 + 24 * 3] + half_2_2 * covariance->elements[2 + 24 * 3]
-        + next_1_d3 * covariance->elements[3 + 24 * 3]
-        + next_1_d10 * covariance->elements[10 + 24 * 3]
-        + next_1_d11 * covariance->elements[11 + 24 * 3]
-        + next_1_d12 * covariance->elements[12 + 24 * 3];
-    const double row_2_0 = covariance->elements[2 + 24 * 0]
-        + half_1 * covariance->elements[0 + 24 * 0] + next_2_d1 * covariance->elements[1 + 24 * 0]
-        + half_0 * covariance->elements[3 + 24 * 0]
-        + next_2_d10 * covariance->elements[10 + 24 * 0]
-        + next_2_d11 * covariance->elements[11 + 24 * 0]
-        + next_2_d12 * covariance->elements[12 + 24 * 0];
-    const double row_2_1 = covariance->elements[2 + 24 * 1]
-        + half_1 * covariance->elements[0 + 24 * 1] + next_2_d1 * covariance->elements[1 + 24 * 1]
-        + half_0 * covariance->elements[3 + 24 * 1]
-        + next_2_d10 * covariance->elements[10 + 24 * 1]
-        + next_2_d11 * covariance->elements[11 + 24 * 1]
-        + next_2_d12 * covariance->elements[12 + 24 * 1];
-    const double row_2_2 = covariance->elements[2 + 24 * 2]
-        + half_1 * covariance->elements[0 + 24 * 2] + next_2_d1 * covariance->elements[1 + 24 * 2]
-        + half_0 * covariance->elements[3 + 24 * 2]
-        + next_2_d10 * covariance->elements[10 + 24 * 2]
-        + next_2_d11 * covariance->elements[11 + 24 * 2]
-        + next_2_d12 * covariance->elements[12 + 24 * 2];
-    const double row_2_3 = covariance->elements[2 + 24 * 3]
-        + half_1 * covariance->elements[0 + 24 * 3] + next_2_d1 * covariance->elements[1 + 24 * 3]
-        + half_0 * covariance->elements[3 + 24 * 3]
-        + next_2_d10 * covariance->elements[10 + 24 * 3]
-        + next_2_d11 * covariance->elements[11 + 24 * 3]
-        + next_2_d12 * covariance->elements[12 + 24 * 3];
-    const double row_3_0 = covariance->elements[3 + 24 * 0]
-        + half_2_2 * covariance->elements[0 + 24 * 0] + half_1 * covariance->elements[1 + 24 * 0]
-        + next_3_d2 * covariance->elements[2 + 24 * 0]
-        + next_3_d10 * covariance->elements[10 + 24 * 0]
-        + next_3_d11 * covariance->elements[11 + 24 * 0]
-        + next_3_d12 * covariance->elements[12 + 24 * 0];
-    const double row_3_1 = covariance->elements[3 + 24 * 1]
-        + half_2_2 * covariance->elements[0 + 24 * 1] + half_1 * covariance->elements[1 + 24 * 1]
-        + next_3_d2 * covariance->elements[2 + 24 * 1]
-        + next_3_d10 * covariance->elements[10 + 24 * 1]
-        + next_3_d11 * covariance->elements[11 + 24 * 1]
-        + next_3_d12 * covariance->elements[12 + 24 * 1];
-    const double row_3_2 = covariance->elements[3 + 24 * 2]
-        + half_2_2 * covariance->elements[0 + 24 * 2] + half_1 * covariance->elements[1 + 24 * 2]
-        + next_3_d2 * covariance->elements[2 + 24 * 2]
-        + next_3_d10 * covariance->elements[10 + 24 * 2]
-        + next_3_d11 * covariance->elements[11 + 24 * 2]
-        + next_3_d12 * covariance->elements[12 + 24 * 2];
-    const double row_3_3 = covariance->elements[3 + 24 * 3]
-        + half_2_2 * covariance->elements[0 + 24 * 3] + half_1 * covariance->elements[1 + 24 * 3]
-        + next_3_d2 * covariance->elements[2 + 24 * 3]
-        + next_3_d10 * covariance->elements[10 + 24 * 3]
-        + next_3_d11 * covariance->elements[11 + 24 * 3]
-        + next_3_d12 * covariance->elements[12 + 24 * 3];
-    for (uint32_t k = 4U; k < 24U; k++) {
+    for (uint32_t k = 0U; k < 24U; k++) {
         const double row_0 = covariance->elements[0U + 24U * k]
             + next_0_d1 * covariance->elements[1U + 24U * k]
             + next_0_d2 * covariance->elements[2U + 24U * k]
@@ -576,94 +500,93 @@ static void autopilot_predicted(const double state[24], const imu_t *imu, double
             + next_3_d11 * covariance->elements[11U + 24U * k]
             + next_3_d12 * covariance->elements[12U + 24U * k];
         covariance->elements[0U + 24U * k] = row_0;
-        covariance->elements[k + 24U * 0U] = row_0;
         covariance->elements[1U + 24U * k] = row_1;
-        covariance->elements[k + 24U * 1U] = row_1;
         covariance->elements[2U + 24U * k] = row_2;
-        covariance->elements[k + 24U * 2U] = row_2;
         covariance->elements[3U + 24U * k] = row_3;
-        covariance->elements[k + 24U * 3U] = row_3;
+        if (k >= 4U) {
+            covariance->elements[k + 24U * 0U] = row_0;
+            covariance->elements[k + 24U * 1U] = row_1;
+            covariance->elements[k + 24U * 2U] = row_2;
+            covariance->elements[k + 24U * 3U] = row_3;
+        }
     }
-    const double block_0_0 = row_0_0 + next_0_d1 * row_0_1 + next_0_d2 * row_0_2
-        + next_0_d3 * row_0_3 + next_0_d10 * covariance->elements[0 + 24 * 10]
+    const double block_0_0 = covariance->elements[0 + 24 * 0]
+        + next_0_d1 * covariance->elements[0 + 24 * 1]
+        + next_0_d2 * covariance->elements[0 + 24 * 2]
+        + next_0_d3 * covariance->elements[0 + 24 * 3]
+        + next_0_d10 * covariance->elements[0 + 24 * 10]
         + next_0_d11 * covariance->elements[0 + 24 * 11]
         + next_0_d12 * covariance->elements[0 + 24 * 12];
-    covariance->elements[0 + 24 * 0] = block_0_0;
-    const double block_1_0 = row_0_1 + half_0 * row_0_0 + half_2_2 * row_0_2 + next_1_d3 * row_0_3
+    const double block_1_0 = covariance->elements[0 + 24 * 1]
+        + half_0 * covariance->elements[0 + 24 * 0] + half_2_2 * covariance->elements[0 + 24 * 2]
+        + next_1_d3 * covariance->elements[0 + 24 * 3]
         + next_1_d10 * covariance->elements[0 + 24 * 10]
         + next_1_d11 * covariance->elements[0 + 24 * 11]
         + next_1_d12 * covariance->elements[0 + 24 * 12];
-    covariance->elements[1 + 24 * 0] = block_1_0;
-    covariance->elements[0 + 24 * 1] = block_1_0;
-    const double block_1_1 = row_1_1 + half_0 * row_1_0 + half_2_2 * row_1_2 + next_1_d3 * row_1_3
+    const double block_1_1 = covariance->elements[1 + 24 * 1]
+        + half_0 * covariance->elements[1 + 24 * 0] + half_2_2 * covariance->elements[1 + 24 * 2]
+        + next_1_d3 * covariance->elements[1 + 24 * 3]
         + next_1_d10 * covariance->elements[1 + 24 * 10]
         + next_1_d11 * covariance->elements[1 + 24 * 11]
         + next_1_d12 * covariance->elements[1 + 24 * 12];
-    covariance->elements[1 + 24 * 1] = block_1_1;
-    const double block_2_0 = row_0_2 + half_1 * row_0_0 + next_2_d1 * row_0_1 + half_0 * row_0_3
+    const double block_2_0 = covariance->elements[0 + 24 * 2]
+        + half_1 * covariance->elements[0 + 24 * 0] + next_2_d1 * covariance->elements[0 + 24 * 1]
+        + half_0 * covariance->elements[0 + 24 * 3]
         + next_2_d10 * covariance->elements[0 + 24 * 10]
         + next_2_d11 * covariance->elements[0 + 24 * 11]
         + next_2_d12 * covariance->elements[0 + 24 * 12];
-    covariance->elements[2 + 24 * 0] = block_2_0;
-    covariance->elements[0 + 24 * 2] = block_2_0;
-    const double block_2_1 = row_1_2 + half_1 * row_1_0 + next_2_d1 * row_1_1 + half_0 * row_1_3
+    const double block_2_1 = covariance->elements[1 + 24 * 2]
+        + half_1 * covariance->elements[1 + 24 * 0] + next_2_d1 * covariance->elements[1 + 24 * 1]
+        + half_0 * covariance->elements[1 + 24 * 3]
         + next_2_d10 * covariance->elements[1 + 24 * 10]
         + next_2_d11 * covariance->elements[1 + 24 * 11]
         + next_2_d12 * covariance->elements[1 + 24 * 12];
-    covariance->elements[2 + 24 * 1] = block_2_1;
-    covariance->elements[1 + 24 * 2] = block_2_1;
-    const double block_2_2 = row_2_2 + half_1 * row_2_0 + next_2_d1 * row_2_1 + half_0 * row_2_3
+    const double block_2_2 = covariance->elements[2 + 24 * 2]
+        + half_1 * covariance->elements[2 + 24 * 0] + next_2_d1 * covariance->elements[2 + 24 * 1]
+        + half_0 * covariance->elements[2 + 24 * 3]
         + next_2_d10 * covariance->elements[2 + 24 * 10]
         + next_2_d11 * covariance->elements[2 + 24 * 11]
         + next_2_d12 * covariance->elements[2 + 24 * 12];
-    covariance->elements[2 + 24 * 2] = block_2_2;
-    const double block_3_0 = row_0_3 + half_2_2 * row_0_0 + half_1 * row_0_1 + next_3_d2 * row_0_2
+    const double block_3_0 = covariance->elements[0 + 24 * 3]
+        + half_2_2 * covariance->elements[0 + 24 * 0] + half_1 * covariance->elements[0 + 24 * 1]
+        + next_3_d2 * covariance->elements[0 + 24 * 2]
         + next_3_d10 * covariance->elements[0 + 24 * 10]
         + next_3_d11 * covariance->elements[0 + 24 * 11]
         + next_3_d12 * covariance->elements[0 + 24 * 12];
-    covariance->elements[3 + 24 * 0] = block_3_0;
-    covariance->elements[0 + 24 * 3] = block_3_0;
-    const double block_3_1 = row_1_3 + half_2_2 * row_1_0 + half_1 * row_1_1 + next_3_d2 * row_1_2
+    const double block_3_1 = covariance->elements[1 + 24 * 3]
+        + half_2_2 * covariance->elements[1 + 24 * 0] + half_1 * covariance->elements[1 + 24 * 1]
+        + next_3_d2 * covariance->elements[1 + 24 * 2]
         + next_3_d10 * covariance->elements[1 + 24 * 10]
         + next_3_d11 * covariance->elements[1 + 24 * 11]
         + next_3_d12 * covariance->elements[1 + 24 * 12];
-    covariance->elements[3 + 24 * 1] = block_3_1;
-    covariance->elements[1 + 24 * 3] = block_3_1;
-    const double block_3_2 = row_2_3 + half_2_2 * row_2_0 + half_1 * row_2_1 + next_3_d2 * row_2_2
+    const double block_3_2 = covariance->elements[2 + 24 * 3]
+        + half_2_2 * covariance->elements[2 + 24 * 0] + half_1 * covariance->elements[2 + 24 * 1]
+        + next_3_d2 * covariance->elements[2 + 24 * 2]
         + next_3_d10 * covariance->elements[2 + 24 * 10]
         + next_3_d11 * covariance->elements[2 + 24 * 11]
         + next_3_d12 * covariance->elements[2 + 24 * 12];
-    covariance->elements[3 + 24 * 2] = block_3_2;
-    covariance->elements[2 + 24 * 3] = block_3_2;
-    const double block_3_3 = row_3_3 + half_2_2 * row_3_0 + half_1 * row_3_1 + next_3_d2 * row_3_2
+    const double block_3_3 = covariance->elements[3 + 24 * 3]
+        + half_2_2 * covariance->elements[3 + 24 * 0] + half_1 * covariance->elements[3 + 24 * 1]
+        + next_3_d2 * covariance->elements[3 + 24 * 2]
         + next_3_d10 * covariance->elements[3 + 24 * 10]
         + next_3_d11 * covariance->elements[3 + 24 * 11]
         + next_3_d12 * covariance->elements[3 + 24 * 12];
+    covariance->elements[0 + 24 * 0] = block_0_0;
+    covariance->elements[1 + 24 * 0] = block_1_0;
+    covariance->elements[0 + 24 * 1] = block_1_0;
+    covariance->elements[1 + 24 * 1] = block_1_1;
+    covariance->elements[2 + 24 * 0] = block_2_0;
+    covariance->elements[0 + 24 * 2] = block_2_0;
+    covariance->elements[2 + 24 * 1] = block_2_1;
+    covariance->elements[1 + 24 * 2] = block_2_1;
+    covariance->elements[2 + 24 * 2] = block_2_2;
+    covariance->elements[3 + 24 * 0] = block_3_0;
+    covariance->elements[0 + 24 * 3] = block_3_0;
+    covariance->elements[3 + 24 * 1] = block_3_1;
+    covariance->elements[1 + 24 * 3] = block_3_1;
+    covariance->elements[3 + 24 * 2] = block_3_2;
+    covariance->elements[2 + 24 * 3] = block_3_2;
     covariance->elements[3 + 24 * 3] = block_3_3;
-    result[0] = next_0;
-    result[1] = next_1;
-    result[2] = next_2;
-    result[3] = next_3;
-    result[4] = next_4;
-    result[5] = next_5;
-    result[6] = next_6;
-    result[7] = next_7;
-    result[8] = next_8;
-    result[9] = next_9;
-    result[10] = state[10];
-    result[11] = state[11];
-    result[12] = state[12];
-    result[13] = state[13];
-    result[14] = state[14];
-    result[15] = state[15];
-    result[16] = state[16];
-    result[17] = state[17];
-    result[18] = state[18];
-    result[19] = state[19];
-    result[20] = state[20];
-    result[21] = state[21];
-    result[22] = state[22];
-    result[23] = state[23];
 }
 
 void autopilot_magnetic(const double seen[10], double result[BESSEMER_RESTRICT 3])

@@ -6,7 +6,7 @@ static const double GATE = 52.0;
 static const double GRAVITY = 9.81;
 
 static void navigation_predicted(const double state[12], const inertial_t *inertial, double period,
-    symmetric_f64_12_t *BESSEMER_RESTRICT covariance, double result[12]);
+    symmetric_f64_12_t *BESSEMER_RESTRICT covariance, double next[12]);
 
 void navigation_advanced(const double state[12], const inertial_t *inertial, double period,
     double next[BESSEMER_RESTRICT 12])
@@ -43,55 +43,61 @@ void navigation_advanced(const double state[12], const inertial_t *inertial, dou
 
 /**
  * The state after one period; `covariance` becomes the covariance of its errors.
- * `result` may be `state`: nothing is read after it is written.
+ * `next` may be `state`: nothing is read after it is written.
  */
 static void navigation_predicted(const double state[12], const inertial_t *inertial, double period,
-    symmetric_f64_12_t *BESSEMER_RESTRICT covariance, double result[12])
+    symmetric_f64_12_t *BESSEMER_RESTRICT covariance, double next[12])
 {
-    const double sin_state_6 = sine_sin(state[6]);
-    const double cos_state_6 = sine_cos(state[6]);
-    const double slope = -sin_state_6;
-    const double sin_state_7 = sine_sin(state[7]);
-    const double cos_state_7 = sine_cos(state[7]);
-    const double slope_2 = -sin_state_7;
-    const double sin_state_8 = sine_sin(state[8]);
-    const double cos_state_8 = sine_cos(state[8]);
-    const double slope_3 = -sin_state_8;
-    const double lift = sin_state_6 * inertial->force[1] + cos_state_6 * inertial->force[2];
-    const double lift_d6 = inertial->force[1] * cos_state_6 + inertial->force[2] * slope;
-    const double ahead = cos_state_7 * inertial->force[0] + sin_state_7 * lift;
-    const double ahead_d6 = sin_state_7 * lift_d6;
-    const double ahead_d7 = inertial->force[0] * slope_2 + lift * cos_state_7;
-    const double right = cos_state_6 * inertial->force[1] - sin_state_6 * inertial->force[2];
-    const double right_d6 = inertial->force[1] * slope - inertial->force[2] * cos_state_6;
-    const double down = cos_state_7 * lift - sin_state_7 * inertial->force[0];
-    const double down_d6 = cos_state_7 * lift_d6;
-    const double down_d7 = lift * slope_2 - inertial->force[0] * cos_state_7;
-    const double acceleration_0 = cos_state_8 * ahead - sin_state_8 * right;
-    const double acceleration_0_d6 = cos_state_8 * ahead_d6 - sin_state_8 * right_d6;
-    const double acceleration_0_d7 = cos_state_8 * ahead_d7;
-    const double acceleration_0_d8 = ahead * slope_3 - right * cos_state_8;
-    const double acceleration_1 = sin_state_8 * ahead + cos_state_8 * right;
-    const double acceleration_1_d6 = sin_state_8 * ahead_d6 + cos_state_8 * right_d6;
-    const double acceleration_1_d7 = sin_state_8 * ahead_d7;
-    const double acceleration_1_d8 = ahead * cos_state_8 + right * slope_3;
+    pair_f64_f64_t sin_cos_state_6;
+    sine_sin_cos(state[6], &sin_cos_state_6);
+    const double slope = -sin_cos_state_6.first;
+    pair_f64_f64_t sin_cos_state_7;
+    sine_sin_cos(state[7], &sin_cos_state_7);
+    const double slope_2 = -sin_cos_state_7.first;
+    pair_f64_f64_t sin_cos_state_8;
+    sine_sin_cos(state[8], &sin_cos_state_8);
+    const double slope_3 = -sin_cos_state_8.first;
+    const double lift = sin_cos_state_6.first * inertial->force[1]
+        + sin_cos_state_6.second * inertial->force[2];
+    const double lift_d6 = inertial->force[1] * sin_cos_state_6.second + inertial->force[2] * slope;
+    const double ahead = sin_cos_state_7.second * inertial->force[0] + sin_cos_state_7.first * lift;
+    const double ahead_d6 = sin_cos_state_7.first * lift_d6;
+    const double ahead_d7 = inertial->force[0] * slope_2 + lift * sin_cos_state_7.second;
+    const double right = sin_cos_state_6.second * inertial->force[1]
+        - sin_cos_state_6.first * inertial->force[2];
+    const double right_d6 = inertial->force[1] * slope
+        - inertial->force[2] * sin_cos_state_6.second;
+    const double down = sin_cos_state_7.second * lift - sin_cos_state_7.first * inertial->force[0];
+    const double down_d6 = sin_cos_state_7.second * lift_d6;
+    const double down_d7 = lift * slope_2 - inertial->force[0] * sin_cos_state_7.second;
+    const double acceleration_0 = sin_cos_state_8.second * ahead - sin_cos_state_8.first * right;
+    const double acceleration_0_d6 = sin_cos_state_8.second * ahead_d6
+        - sin_cos_state_8.first * right_d6;
+    const double acceleration_0_d7 = sin_cos_state_8.second * ahead_d7;
+    const double acceleration_0_d8 = ahead * slope_3 - right * sin_cos_state_8.second;
+    const double acceleration_1 = sin_cos_state_8.first * ahead + sin_cos_state_8.second * right;
+    const double acceleration_1_d6 = sin_cos_state_8.first * ahead_d6
+        + sin_cos_state_8.second * right_d6;
+    const double acceleration_1_d7 = sin_cos_state_8.first * ahead_d7;
+    const double acceleration_1_d8 = ahead * sin_cos_state_8.second + right * slope_3;
     const double acceleration_2 = down + GRAVITY;
     const double p = inertial->rate[0] - state[9];
     const double q = inertial->rate[1] - state[10];
     const double r = inertial->rate[2] - state[11];
-    const double turn = (sin_state_6 * q + cos_state_6 * r) / cos_state_7;
-    const double turn_d6 = (q * cos_state_6 + r * slope) / cos_state_7;
-    const double turn_d7 = -(turn * slope_2) / cos_state_7;
-    const double turn_d10 = -sin_state_6 / cos_state_7;
-    const double turn_d11 = -cos_state_6 / cos_state_7;
-    const double rates_0 = p + sin_state_7 * turn;
-    const double rates_0_d6 = sin_state_7 * turn_d6;
-    const double rates_0_d7 = turn * cos_state_7 + sin_state_7 * turn_d7;
-    const double rates_0_d10 = sin_state_7 * turn_d10;
-    const double rates_0_d11 = sin_state_7 * turn_d11;
-    const double rates_1 = cos_state_6 * q - sin_state_6 * r;
-    const double rates_1_d6 = q * slope - r * cos_state_6;
-    const double rates_1_d10 = -cos_state_6;
+    const double turn = (sin_cos_state_6.first * q + sin_cos_state_6.second * r)
+        / sin_cos_state_7.second;
+    const double turn_d6 = (q * sin_cos_state_6.second + r * slope) / sin_cos_state_7.second;
+    const double turn_d7 = -(turn * slope_2) / sin_cos_state_7.second;
+    const double turn_d10 = -sin_cos_state_6.first / sin_cos_state_7.second;
+    const double turn_d11 = -sin_cos_state_6.second / sin_cos_state_7.second;
+    const double rates_0 = p + sin_cos_state_7.first * turn;
+    const double rates_0_d6 = sin_cos_state_7.first * turn_d6;
+    const double rates_0_d7 = turn * sin_cos_state_7.second + sin_cos_state_7.first * turn_d7;
+    const double rates_0_d10 = sin_cos_state_7.first * turn_d10;
+    const double rates_0_d11 = sin_cos_state_7.first * turn_d11;
+    const double rates_1 = sin_cos_state_6.second * q - sin_cos_state_6.first * r;
+    const double rates_1_d6 = q * slope - r * sin_cos_state_6.second;
+    const double rates_1_d10 = -sin_cos_state_6.second;
     const double next_0 = state[0] + period * state[3];
     const double next_3 = state[3] + period * acceleration_0;
     const double next_3_d6 = period * acceleration_0_d6;
@@ -111,7 +117,7 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
     const double next_7 = state[7] + period * rates_1;
     const double next_7_d6 = period * rates_1_d6;
     const double next_7_d10 = period * rates_1_d10;
-    const double next_7_d11 = period * sin_state_6;
+    const double next_7_d11 = period * sin_cos_state_6.first;
     const double next_2 = state[2] + period * state[5];
     const double next_5 = state[5] + period * acceleration_2;
     const double next_5_d6 = period * down_d6;
@@ -121,6 +127,18 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
     const double next_8_d7 = period * turn_d7;
     const double next_8_d10 = period * turn_d10;
     const double next_8_d11 = period * turn_d11;
+    next[0] = next_0;
+    next[1] = next_1;
+    next[2] = next_2;
+    next[3] = next_3;
+    next[4] = next_4;
+    next[5] = next_5;
+    next[6] = next_6;
+    next[7] = next_7;
+    next[8] = next_8;
+    next[9] = state[9];
+    next[10] = state[10];
+    next[11] = state[11];
     const double row_0_0 = covariance->elements[0 + 12 * 0]
         + period * covariance->elements[3 + 12 * 0];
     const double row_0_1 = covariance->elements[0 + 12 * 1]
@@ -148,19 +166,19 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
         covariance->elements[k + 12U * 2U] = row_2;
     }
     const double block_0_0 = row_0_0 + period * covariance->elements[0 + 12 * 3];
-    covariance->elements[0 + 12 * 0] = block_0_0;
     const double block_1_0 = row_0_1 + period * covariance->elements[0 + 12 * 4];
+    const double block_1_1 = row_1_1 + period * covariance->elements[1 + 12 * 4];
+    const double block_2_0 = row_0_2 + period * covariance->elements[0 + 12 * 5];
+    const double block_2_1 = row_1_2 + period * covariance->elements[1 + 12 * 5];
+    const double block_2_2 = row_2_2 + period * covariance->elements[2 + 12 * 5];
+    covariance->elements[0 + 12 * 0] = block_0_0;
     covariance->elements[1 + 12 * 0] = block_1_0;
     covariance->elements[0 + 12 * 1] = block_1_0;
-    const double block_1_1 = row_1_1 + period * covariance->elements[1 + 12 * 4];
     covariance->elements[1 + 12 * 1] = block_1_1;
-    const double block_2_0 = row_0_2 + period * covariance->elements[0 + 12 * 5];
     covariance->elements[2 + 12 * 0] = block_2_0;
     covariance->elements[0 + 12 * 2] = block_2_0;
-    const double block_2_1 = row_1_2 + period * covariance->elements[1 + 12 * 5];
     covariance->elements[2 + 12 * 1] = block_2_1;
     covariance->elements[1 + 12 * 2] = block_2_1;
-    const double block_2_2 = row_2_2 + period * covariance->elements[2 + 12 * 5];
     covariance->elements[2 + 12 * 2] = block_2_2;
     const double row_3_3 = covariance->elements[3 + 12 * 3]
         + next_3_d6 * covariance->elements[6 + 12 * 3]
@@ -226,70 +244,28 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
     const double block_3_3 = row_3_3 + next_3_d6 * covariance->elements[3 + 12 * 6]
         + next_3_d7 * covariance->elements[3 + 12 * 7]
         + next_3_d8 * covariance->elements[3 + 12 * 8];
-    covariance->elements[3 + 12 * 3] = block_3_3;
     const double block_4_3 = row_3_4 + next_4_d6 * covariance->elements[3 + 12 * 6]
         + next_4_d7 * covariance->elements[3 + 12 * 7]
         + next_4_d8 * covariance->elements[3 + 12 * 8];
-    covariance->elements[4 + 12 * 3] = block_4_3;
-    covariance->elements[3 + 12 * 4] = block_4_3;
     const double block_4_4 = row_4_4 + next_4_d6 * covariance->elements[4 + 12 * 6]
         + next_4_d7 * covariance->elements[4 + 12 * 7]
         + next_4_d8 * covariance->elements[4 + 12 * 8];
-    covariance->elements[4 + 12 * 4] = block_4_4;
     const double block_5_3 = row_3_5 + next_5_d6 * covariance->elements[3 + 12 * 6]
         + next_5_d7 * covariance->elements[3 + 12 * 7];
-    covariance->elements[5 + 12 * 3] = block_5_3;
-    covariance->elements[3 + 12 * 5] = block_5_3;
     const double block_5_4 = row_4_5 + next_5_d6 * covariance->elements[4 + 12 * 6]
         + next_5_d7 * covariance->elements[4 + 12 * 7];
-    covariance->elements[5 + 12 * 4] = block_5_4;
-    covariance->elements[4 + 12 * 5] = block_5_4;
     const double block_5_5 = row_5_5 + next_5_d6 * covariance->elements[5 + 12 * 6]
         + next_5_d7 * covariance->elements[5 + 12 * 7];
+    covariance->elements[3 + 12 * 3] = block_3_3;
+    covariance->elements[4 + 12 * 3] = block_4_3;
+    covariance->elements[3 + 12 * 4] = block_4_3;
+    covariance->elements[4 + 12 * 4] = block_4_4;
+    covariance->elements[5 + 12 * 3] = block_5_3;
+    covariance->elements[3 + 12 * 5] = block_5_3;
+    covariance->elements[5 + 12 * 4] = block_5_4;
+    covariance->elements[4 + 12 * 5] = block_5_4;
     covariance->elements[5 + 12 * 5] = block_5_5;
-    const double row_6_6 = next_6_d6 * covariance->elements[6 + 12 * 6]
-        + next_6_d7 * covariance->elements[7 + 12 * 6]
-        + next_6_d9 * covariance->elements[9 + 12 * 6]
-        + next_6_d10 * covariance->elements[10 + 12 * 6]
-        + next_6_d11 * covariance->elements[11 + 12 * 6];
-    const double row_6_7 = next_6_d6 * covariance->elements[6 + 12 * 7]
-        + next_6_d7 * covariance->elements[7 + 12 * 7]
-        + next_6_d9 * covariance->elements[9 + 12 * 7]
-        + next_6_d10 * covariance->elements[10 + 12 * 7]
-        + next_6_d11 * covariance->elements[11 + 12 * 7];
-    const double row_6_8 = next_6_d6 * covariance->elements[6 + 12 * 8]
-        + next_6_d7 * covariance->elements[7 + 12 * 8]
-        + next_6_d9 * covariance->elements[9 + 12 * 8]
-        + next_6_d10 * covariance->elements[10 + 12 * 8]
-        + next_6_d11 * covariance->elements[11 + 12 * 8];
-    const double row_7_6 = covariance->elements[7 + 12 * 6]
-        + next_7_d6 * covariance->elements[6 + 12 * 6]
-        + next_7_d10 * covariance->elements[10 + 12 * 6]
-        + next_7_d11 * covariance->elements[11 + 12 * 6];
-    const double row_7_7 = covariance->elements[7 + 12 * 7]
-        + next_7_d6 * covariance->elements[6 + 12 * 7]
-        + next_7_d10 * covariance->elements[10 + 12 * 7]
-        + next_7_d11 * covariance->elements[11 + 12 * 7];
-    const double row_7_8 = covariance->elements[7 + 12 * 8]
-        + next_7_d6 * covariance->elements[6 + 12 * 8]
-        + next_7_d10 * covariance->elements[10 + 12 * 8]
-        + next_7_d11 * covariance->elements[11 + 12 * 8];
-    const double row_8_6 = covariance->elements[8 + 12 * 6]
-        + next_8_d6 * covariance->elements[6 + 12 * 6]
-        + next_8_d7 * covariance->elements[7 + 12 * 6]
-        + next_8_d10 * covariance->elements[10 + 12 * 6]
-        + next_8_d11 * covariance->elements[11 + 12 * 6];
-    const double row_8_7 = covariance->elements[8 + 12 * 7]
-        + next_8_d6 * covariance->elements[6 + 12 * 7]
-        + next_8_d7 * covariance->elements[7 + 12 * 7]
-        + next_8_d10 * covariance->elements[10 + 12 * 7]
-        + next_8_d11 * covariance->elements[11 + 12 * 7];
-    const double row_8_8 = covariance->elements[8 + 12 * 8]
-        + next_8_d6 * covariance->elements[6 + 12 * 8]
-        + next_8_d7 * covariance->elements[7 + 12 * 8]
-        + next_8_d10 * covariance->elements[10 + 12 * 8]
-        + next_8_d11 * covariance->elements[11 + 12 * 8];
-    for (uint32_t k = 0U; k < 6U; k++) {
+    for (uint32_t k = 0U; k < 12U; k++) {
         const double row_6 = next_6_d6 * covariance->elements[6U + 12U * k]
             + next_6_d7 * covariance->elements[7U + 12U * k]
             + next_6_d9 * covariance->elements[9U + 12U * k]
@@ -305,74 +281,51 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
             + next_8_d10 * covariance->elements[10U + 12U * k]
             + next_8_d11 * covariance->elements[11U + 12U * k];
         covariance->elements[6U + 12U * k] = row_6;
-        covariance->elements[k + 12U * 6U] = row_6;
         covariance->elements[7U + 12U * k] = row_7;
-        covariance->elements[k + 12U * 7U] = row_7;
         covariance->elements[8U + 12U * k] = row_8;
-        covariance->elements[k + 12U * 8U] = row_8;
+        if (!(6U <= k && k < 9U)) {
+            covariance->elements[k + 12U * 6U] = row_6;
+            covariance->elements[k + 12U * 7U] = row_7;
+            covariance->elements[k + 12U * 8U] = row_8;
+        }
     }
-    for (uint32_t k = 9U; k < 12U; k++) {
-        const double row_6 = next_6_d6 * covariance->elements[6U + 12U * k]
-            + next_6_d7 * covariance->elements[7U + 12U * k]
-            + next_6_d9 * covariance->elements[9U + 12U * k]
-            + next_6_d10 * covariance->elements[10U + 12U * k]
-            + next_6_d11 * covariance->elements[11U + 12U * k];
-        const double row_7 = covariance->elements[7U + 12U * k]
-            + next_7_d6 * covariance->elements[6U + 12U * k]
-            + next_7_d10 * covariance->elements[10U + 12U * k]
-            + next_7_d11 * covariance->elements[11U + 12U * k];
-        const double row_8 = covariance->elements[8U + 12U * k]
-            + next_8_d6 * covariance->elements[6U + 12U * k]
-            + next_8_d7 * covariance->elements[7U + 12U * k]
-            + next_8_d10 * covariance->elements[10U + 12U * k]
-            + next_8_d11 * covariance->elements[11U + 12U * k];
-        covariance->elements[6U + 12U * k] = row_6;
-        covariance->elements[k + 12U * 6U] = row_6;
-        covariance->elements[7U + 12U * k] = row_7;
-        covariance->elements[k + 12U * 7U] = row_7;
-        covariance->elements[8U + 12U * k] = row_8;
-        covariance->elements[k + 12U * 8U] = row_8;
-    }
-    const double block_6_6 = next_6_d6 * row_6_6 + next_6_d7 * row_6_7
+    const double block_6_6 = next_6_d6 * covariance->elements[6 + 12 * 6]
+        + next_6_d7 * covariance->elements[6 + 12 * 7]
         + next_6_d9 * covariance->elements[6 + 12 * 9]
         + next_6_d10 * covariance->elements[6 + 12 * 10]
         + next_6_d11 * covariance->elements[6 + 12 * 11];
-    covariance->elements[6 + 12 * 6] = block_6_6;
-    const double block_7_6 = row_6_7 + next_7_d6 * row_6_6
+    const double block_7_6 = covariance->elements[6 + 12 * 7]
+        + next_7_d6 * covariance->elements[6 + 12 * 6]
         + next_7_d10 * covariance->elements[6 + 12 * 10]
         + next_7_d11 * covariance->elements[6 + 12 * 11];
-    covariance->elements[7 + 12 * 6] = block_7_6;
-    covariance->elements[6 + 12 * 7] = block_7_6;
-    const double block_7_7 = row_7_7 + next_7_d6 * row_7_6
+    const double block_7_7 = covariance->elements[7 + 12 * 7]
+        + next_7_d6 * covariance->elements[7 + 12 * 6]
         + next_7_d10 * covariance->elements[7 + 12 * 10]
         + next_7_d11 * covariance->elements[7 + 12 * 11];
-    covariance->elements[7 + 12 * 7] = block_7_7;
-    const double block_8_6 = row_6_8 + next_8_d6 * row_6_6 + next_8_d7 * row_6_7
+    const double block_8_6 = covariance->elements[6 + 12 * 8]
+        + next_8_d6 * covariance->elements[6 + 12 * 6]
+        + next_8_d7 * covariance->elements[6 + 12 * 7]
         + next_8_d10 * covariance->elements[6 + 12 * 10]
         + next_8_d11 * covariance->elements[6 + 12 * 11];
-    covariance->elements[8 + 12 * 6] = block_8_6;
-    covariance->elements[6 + 12 * 8] = block_8_6;
-    const double block_8_7 = row_7_8 + next_8_d6 * row_7_6 + next_8_d7 * row_7_7
+    const double block_8_7 = covariance->elements[7 + 12 * 8]
+        + next_8_d6 * covariance->elements[7 + 12 * 6]
+        + next_8_d7 * covariance->elements[7 + 12 * 7]
         + next_8_d10 * covariance->elements[7 + 12 * 10]
         + next_8_d11 * covariance->elements[7 + 12 * 11];
-    covariance->elements[8 + 12 * 7] = block_8_7;
-    covariance->elements[7 + 12 * 8] = block_8_7;
-    const double block_8_8 = row_8_8 + next_8_d6 * row_8_6 + next_8_d7 * row_8_7
+    const double block_8_8 = covariance->elements[8 + 12 * 8]
+        + next_8_d6 * covariance->elements[8 + 12 * 6]
+        + next_8_d7 * covariance->elements[8 + 12 * 7]
         + next_8_d10 * covariance->elements[8 + 12 * 10]
         + next_8_d11 * covariance->elements[8 + 12 * 11];
+    covariance->elements[6 + 12 * 6] = block_6_6;
+    covariance->elements[7 + 12 * 6] = block_7_6;
+    covariance->elements[6 + 12 * 7] = block_7_6;
+    covariance->elements[7 + 12 * 7] = block_7_7;
+    covariance->elements[8 + 12 * 6] = block_8_6;
+    covariance->elements[6 + 12 * 8] = block_8_6;
+    covariance->elements[8 + 12 * 7] = block_8_7;
+    covariance->elements[7 + 12 * 8] = block_8_7;
     covariance->elements[8 + 12 * 8] = block_8_8;
-    result[0] = next_0;
-    result[1] = next_1;
-    result[2] = next_2;
-    result[3] = next_3;
-    result[4] = next_4;
-    result[5] = next_5;
-    result[6] = next_6;
-    result[7] = next_7;
-    result[8] = next_8;
-    result[9] = state[9];
-    result[10] = state[10];
-    result[11] = state[11];
 }
 
 void navigation_init(navigation_t *self)

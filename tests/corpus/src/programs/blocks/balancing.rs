@@ -22,12 +22,11 @@ pub fn swung_jacobian(
     state: &Vector4<f64>,
     push: &SVector<f64, 1>,
 ) -> (Vector4<f64>, Matrix4<f64>, Vector4<f64>) {
-    let sin_state_1 = state[1].sin();
-    let cos_state_1 = state[1].cos();
-    let slope = -sin_state_1;
-    let turn = (9.81 * sin_state_1 - push[0] * cos_state_1) / 0.5 - 0.1 * state[3];
-    let turn_d1 = (9.81 * cos_state_1 - push[0] * slope) / 0.5;
-    let turn_d4 = -cos_state_1 / 0.5;
+    let sin_cos_state_1 = state[1].sin_cos();
+    let slope = -sin_cos_state_1.0;
+    let turn = (9.81 * sin_cos_state_1.0 - push[0] * sin_cos_state_1.1) / 0.5 - 0.1 * state[3];
+    let turn_d1 = (9.81 * sin_cos_state_1.1 - push[0] * slope) / 0.5;
+    let turn_d4 = -sin_cos_state_1.1 / 0.5;
     let speed = state[2] + PERIOD * push[0];
     let rate = state[3] + PERIOD * turn;
     let rate_d1 = PERIOD * turn_d1;

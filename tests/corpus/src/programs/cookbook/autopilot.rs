@@ -163,6 +163,7 @@ fn predicted(
     let next_7 = state[7] + period * state[4];
     let next_8 = state[8] + period * state[5];
     let next_9 = state[9] + period * state[6];
+    let next = vector![next_0, next_1, next_2, next_3, next_4, next_5, next_6, next_7, next_8, next_9, state[10], state[11], state[12], state[13], state[14], state[15], state[16], state[17], state[18], state[19], state[20], state[21], state[22], state[23]];
     let row_7_7 = covariance.elements[(7, 7)] + period * covariance.elements[(4, 7)];
     let row_7_8 = covariance.elements[(7, 8)] + period * covariance.elements[(4, 8)];
     let row_7_9 = covariance.elements[(7, 9)] + period * covariance.elements[(4, 9)];
@@ -192,19 +193,19 @@ fn predicted(
         covariance.elements[(k, 9)] = row_9;
     }
     let block_7_7 = row_7_7 + period * covariance.elements[(7, 4)];
-    covariance.elements[(7, 7)] = block_7_7;
     let block_8_7 = row_7_8 + period * covariance.elements[(7, 5)];
+    let block_8_8 = row_8_8 + period * covariance.elements[(8, 5)];
+    let block_9_7 = row_7_9 + period * covariance.elements[(7, 6)];
+    let block_9_8 = row_8_9 + period * covariance.elements[(8, 6)];
+    let block_9_9 = row_9_9 + period * covariance.elements[(9, 6)];
+    covariance.elements[(7, 7)] = block_7_7;
     covariance.elements[(8, 7)] = block_8_7;
     covariance.elements[(7, 8)] = block_8_7;
-    let block_8_8 = row_8_8 + period * covariance.elements[(8, 5)];
     covariance.elements[(8, 8)] = block_8_8;
-    let block_9_7 = row_7_9 + period * covariance.elements[(7, 6)];
     covariance.elements[(9, 7)] = block_9_7;
     covariance.elements[(7, 9)] = block_9_7;
-    let block_9_8 = row_8_9 + period * covariance.elements[(8, 6)];
     covariance.elements[(9, 8)] = block_9_8;
     covariance.elements[(8, 9)] = block_9_8;
-    let block_9_9 = row_9_9 + period * covariance.elements[(9, 6)];
     covariance.elements[(9, 9)] = block_9_9;
     let row_4_4 = covariance.elements[(4, 4)] + north_d0 * covariance.elements[(0, 4)] + north_d1 * covariance.elements[(1, 4)] + north_d2 * covariance.elements[(2, 4)] + north_d3 * covariance.elements[(3, 4)] + north_d13 * covariance.elements[(13, 4)] + north_d14 * covariance.elements[(14, 4)] + north_d15 * covariance.elements[(15, 4)];
     let row_4_5 = covariance.elements[(4, 5)] + north_d0 * covariance.elements[(0, 5)] + north_d1 * covariance.elements[(1, 5)] + north_d2 * covariance.elements[(2, 5)] + north_d3 * covariance.elements[(3, 5)] + north_d13 * covariance.elements[(13, 5)] + north_d14 * covariance.elements[(14, 5)] + north_d15 * covariance.elements[(15, 5)];
@@ -235,77 +236,63 @@ fn predicted(
         covariance.elements[(k, 6)] = row_6;
     }
     let block_4_4 = row_4_4 + north_d0 * covariance.elements[(4, 0)] + north_d1 * covariance.elements[(4, 1)] + north_d2 * covariance.elements[(4, 2)] + north_d3 * covariance.elements[(4, 3)] + north_d13 * covariance.elements[(4, 13)] + north_d14 * covariance.elements[(4, 14)] + north_d15 * covariance.elements[(4, 15)];
-    covariance.elements[(4, 4)] = block_4_4;
     let block_5_4 = row_4_5 + east_d0 * covariance.elements[(4, 0)] + east_d1 * covariance.elements[(4, 1)] + east_d2 * covariance.elements[(4, 2)] + east_d3 * covariance.elements[(4, 3)] + east_d13 * covariance.elements[(4, 13)] + east_d14 * covariance.elements[(4, 14)] + east_d15 * covariance.elements[(4, 15)];
+    let block_5_5 = row_5_5 + east_d0 * covariance.elements[(5, 0)] + east_d1 * covariance.elements[(5, 1)] + east_d2 * covariance.elements[(5, 2)] + east_d3 * covariance.elements[(5, 3)] + east_d13 * covariance.elements[(5, 13)] + east_d14 * covariance.elements[(5, 14)] + east_d15 * covariance.elements[(5, 15)];
+    let block_6_4 = row_4_6 + down_d0 * covariance.elements[(4, 0)] + down_d1 * covariance.elements[(4, 1)] + down_d2 * covariance.elements[(4, 2)] + down_d3 * covariance.elements[(4, 3)] + down_d13 * covariance.elements[(4, 13)] + down_d14 * covariance.elements[(4, 14)] + down_d15 * covariance.elements[(4, 15)];
+    let block_6_5 = row_5_6 + down_d0 * covariance.elements[(5, 0)] + down_d1 * covariance.elements[(5, 1)] + down_d2 * covariance.elements[(5, 2)] + down_d3 * covariance.elements[(5, 3)] + down_d13 * covariance.elements[(5, 13)] + down_d14 * covariance.elements[(5, 14)] + down_d15 * covariance.elements[(5, 15)];
+    let block_6_6 = row_6_6 + down_d0 * covariance.elements[(6, 0)] + down_d1 * covariance.elements[(6, 1)] + down_d2 * covariance.elements[(6, 2)] + down_d3 * covariance.elements[(6, 3)] + down_d13 * covariance.elements[(6, 13)] + down_d14 * covariance.elements[(6, 14)] + down_d15 * covariance.elements[(6, 15)];
+    covariance.elements[(4, 4)] = block_4_4;
     covariance.elements[(5, 4)] = block_5_4;
     covariance.elements[(4, 5)] = block_5_4;
-    let block_5_5 = row_5_5 + east_d0 * covariance.elements[(5, 0)] + east_d1 * covariance.elements[(5, 1)] + east_d2 * covariance.elements[(5, 2)] + east_d3 * covariance.elements[(5, 3)] + east_d13 * covariance.elements[(5, 13)] + east_d14 * covariance.elements[(5, 14)] + east_d15 * covariance.elements[(5, 15)];
     covariance.elements[(5, 5)] = block_5_5;
-    let block_6_4 = row_4_6 + down_d0 * covariance.elements[(4, 0)] + down_d1 * covariance.elements[(4, 1)] + down_d2 * covariance.elements[(4, 2)] + down_d3 * covariance.elements[(4, 3)] + down_d13 * covariance.elements[(4, 13)] + down_d14 * covariance.elements[(4, 14)] + down_d15 * covariance.elements[(4, 15)];
     covariance.elements[(6, 4)] = block_6_4;
     covariance.elements[(4, 6)] = block_6_4;
-    let block_6_5 = row_5_6 + down_d0 * covariance.elements[(5, 0)] + down_d1 * covariance.elements[(5, 1)] + down_d2 * covariance.elements[(5, 2)] + down_d3 * covariance.elements[(5, 3)] + down_d13 * covariance.elements[(5, 13)] + down_d14 * covariance.elements[(5, 14)] + down_d15 * covariance.elements[(5, 15)];
     covariance.elements[(6, 5)] = block_6_5;
     covariance.elements[(5, 6)] = block_6_5;
-    let block_6_6 = row_6_6 + down_d0 * covariance.elements[(6, 0)] + down_d1 * covariance.elements[(6, 1)] + down_d2 * covariance.elements[(6, 2)] + down_d3 * covariance.elements[(6, 3)] + down_d13 * covariance.elements[(6, 13)] + down_d14 * covariance.elements[(6, 14)] + down_d15 * covariance.elements[(6, 15)];
     covariance.elements[(6, 6)] = block_6_6;
-    let row_0_0 = covariance.elements[(0, 0)] + next_0_d1 * covariance.elements[(1, 0)] + next_0_d2 * covariance.elements[(2, 0)] + next_0_d3 * covariance.elements[(3, 0)] + next_0_d10 * covariance.elements[(10, 0)] + next_0_d11 * covariance.elements[(11, 0)] + next_0_d12 * covariance.elements[(12, 0)];
-    let row_0_1 = covariance.elements[(0, 1)] + next_0_d1 * covariance.elements[(1, 1)] + next_0_d2 * covariance.elements[(2, 1)] + next_0_d3 * covariance.elements[(3, 1)] + next_0_d10 * covariance.elements[(10, 1)] + next_0_d11 * covariance.elements[(11, 1)] + next_0_d12 * covariance.elements[(12, 1)];
-    let row_0_2 = covariance.elements[(0, 2)] + next_0_d1 * covariance.elements[(1, 2)] + next_0_d2 * covariance.elements[(2, 2)] + next_0_d3 * covariance.elements[(3, 2)] + next_0_d10 * covariance.elements[(10, 2)] + next_0_d11 * covariance.elements[(11, 2)] + next_0_d12 * covariance.elements[(12, 2)];
-    let row_0_3 = covariance.elements[(0, 3)] + next_0_d1 * covariance.elements[(1, 3)] + next_0_d2 * covariance.elements[(2, 3)] + next_0_d3 * covariance.elements[(3, 3)] + next_0_d10 * covariance.elements[(10, 3)] + next_0_d11 * covariance.elements[(11, 3)] + next_0_d12 * covariance.elements[(12, 3)];
-    let row_1_0 = covariance.elements[(1, 0)] + half_0 * covariance.elements[(0, 0)] + half_2_2 * covariance.elements[(2, 0)] + next_1_d3 * covariance.elements[(3, 0)] + next_1_d10 * covariance.elements[(10, 0)] + next_1_d11 * covariance.elements[(11, 0)] + next_1_d12 * covariance.elements[(12, 0)];
-    let row_1_1 = covariance.elements[(1, 1)] + half_0 * covariance.elements[(0, 1)] + half_2_2 * covariance.elements[(2, 1)] + next_1_d3 * covariance.elements[(3, 1)] + next_1_d10 * covariance.elements[(10, 1)] + next_1_d11 * covariance.elements[(11, 1)] + next_1_d12 * covariance.elements[(12, 1)];
-    let row_1_2 = covariance.elements[(1, 2)] + half_0 * covariance.elements[(0, 2)] + half_2_2 * covariance.elements[(2, 2)] + next_1_d3 * covariance.elements[(3, 2)] + next_1_d10 * covariance.elements[(10, 2)] + next_1_d11 * covariance.elements[(11, 2)] + next_1_d12 * covariance.elements[(12, 2)];
-    let row_1_3 = covariance.elements[(1, 3)] + half_0 * covariance.elements[(0, 3)] + half_2_2 * covariance.elements[(2, 3)] + next_1_d3 * covariance.elements[(3, 3)] + next_1_d10 * covariance.elements[(10, 3)] + next_1_d11 * covariance.elements[(11, 3)] + next_1_d12 * covariance.elements[(12, 3)];
-    let row_2_0 = covariance.elements[(2, 0)] + half_1 * covariance.elements[(0, 0)] + next_2_d1 * covariance.elements[(1, 0)] + half_0 * covariance.elements[(3, 0)] + next_2_d10 * covariance.elements[(10, 0)] + next_2_d11 * covariance.elements[(11, 0)] + next_2_d12 * covariance.elements[(12, 0)];
-    let row_2_1 = covariance.elements[(2, 1)] + half_1 * covariance.elements[(0, 1)] + next_2_d1 * covariance.elements[(1, 1)] + half_0 * covariance.elements[(3, 1)] + next_2_d10 * covariance.elements[(10, 1)] + next_2_d11 * covariance.elements[(11, 1)] + next_2_d12 * covariance.elements[(12, 1)];
-    let row_2_2 = covariance.elements[(2, 2)] + half_1 * covariance.elements[(0, 2)] + next_2_d1 * covariance.elements[(1, 2)] + half_0 * covariance.elements[(3, 2)] + next_2_d10 * covariance.elements[(10, 2)] + next_2_d11 * covariance.elements[(11, 2)] + next_2_d12 * covariance.elements[(12, 2)];
-    let row_2_3 = covariance.elements[(2, 3)] + half_1 * covariance.elements[(0, 3)] + next_2_d1 * covariance.elements[(1, 3)] + half_0 * covariance.elements[(3, 3)] + next_2_d10 * covariance.elements[(10, 3)] + next_2_d11 * covariance.elements[(11, 3)] + next_2_d12 * covariance.elements[(12, 3)];
-    let row_3_0 = covariance.elements[(3, 0)] + half_2_2 * covariance.elements[(0, 0)] + half_1 * covariance.elements[(1, 0)] + next_3_d2 * covariance.elements[(2, 0)] + next_3_d10 * covariance.elements[(10, 0)] + next_3_d11 * covariance.elements[(11, 0)] + next_3_d12 * covariance.elements[(12, 0)];
-    let row_3_1 = covariance.elements[(3, 1)] + half_2_2 * covariance.elements[(0, 1)] + half_1 * covariance.elements[(1, 1)] + next_3_d2 * covariance.elements[(2, 1)] + next_3_d10 * covariance.elements[(10, 1)] + next_3_d11 * covariance.elements[(11, 1)] + next_3_d12 * covariance.elements[(12, 1)];
-    let row_3_2 = covariance.elements[(3, 2)] + half_2_2 * covariance.elements[(0, 2)] + half_1 * covariance.elements[(1, 2)] + next_3_d2 * covariance.elements[(2, 2)] + next_3_d10 * covariance.elements[(10, 2)] + next_3_d11 * covariance.elements[(11, 2)] + next_3_d12 * covariance.elements[(12, 2)];
-    let row_3_3 = covariance.elements[(3, 3)] + half_2_2 * covariance.elements[(0, 3)] + half_1 * covariance.elements[(1, 3)] + next_3_d2 * covariance.elements[(2, 3)] + next_3_d10 * covariance.elements[(10, 3)] + next_3_d11 * covariance.elements[(11, 3)] + next_3_d12 * covariance.elements[(12, 3)];
-    for k in 4..24 {
+    for k in 0..24 {
         let row_0 = covariance.elements[(0, k)] + next_0_d1 * covariance.elements[(1, k)] + next_0_d2 * covariance.elements[(2, k)] + next_0_d3 * covariance.elements[(3, k)] + next_0_d10 * covariance.elements[(10, k)] + next_0_d11 * covariance.elements[(11, k)] + next_0_d12 * covariance.elements[(12, k)];
         let row_1 = covariance.elements[(1, k)] + half_0 * covariance.elements[(0, k)] + half_2_2 * covariance.elements[(2, k)] + next_1_d3 * covariance.elements[(3, k)] + next_1_d10 * covariance.elements[(10, k)] + next_1_d11 * covariance.elements[(11, k)] + next_1_d12 * covariance.elements[(12, k)];
         let row_2 = covariance.elements[(2, k)] + half_1 * covariance.elements[(0, k)] + next_2_d1 * covariance.elements[(1, k)] + half_0 * covariance.elements[(3, k)] + next_2_d10 * covariance.elements[(10, k)] + next_2_d11 * covariance.elements[(11, k)] + next_2_d12 * covariance.elements[(12, k)];
         let row_3 = covariance.elements[(3, k)] + half_2_2 * covariance.elements[(0, k)] + half_1 * covariance.elements[(1, k)] + next_3_d2 * covariance.elements[(2, k)] + next_3_d10 * covariance.elements[(10, k)] + next_3_d11 * covariance.elements[(11, k)] + next_3_d12 * covariance.elements[(12, k)];
         covariance.elements[(0, k)] = row_0;
-        covariance.elements[(k, 0)] = row_0;
         covariance.elements[(1, k)] = row_1;
-        covariance.elements[(k, 1)] = row_1;
         covariance.elements[(2, k)] = row_2;
-        covariance.elements[(k, 2)] = row_2;
         covariance.elements[(3, k)] = row_3;
-        covariance.elements[(k, 3)] = row_3;
+        if k >= 4 {
+            covariance.elements[(k, 0)] = row_0;
+            covariance.elements[(k, 1)] = row_1;
+            covariance.elements[(k, 2)] = row_2;
+            covariance.elements[(k, 3)] = row_3;
+        }
     }
-    let block_0_0 = row_0_0 + next_0_d1 * row_0_1 + next_0_d2 * row_0_2 + next_0_d3 * row_0_3 + next_0_d10 * covariance.elements[(0, 10)] + next_0_d11 * covariance.elements[(0, 11)] + next_0_d12 * covariance.elements[(0, 12)];
+    let block_0_0 = covariance.elements[(0, 0)] + next_0_d1 * covariance.elements[(0, 1)] + next_0_d2 * covariance.elements[(0, 2)] + next_0_d3 * covariance.elements[(0, 3)] + next_0_d10 * covariance.elements[(0, 10)] + next_0_d11 * covariance.elements[(0, 11)] + next_0_d12 * covariance.elements[(0, 12)];
+    let block_1_0 = covariance.elements[(0, 1)] + half_0 * covariance.elements[(0, 0)] + half_2_2 * covariance.elements[(0, 2)] + next_1_d3 * covariance.elements[(0, 3)] + next_1_d10 * covariance.elements[(0, 10)] + next_1_d11 * covariance.elements[(0, 11)] + next_1_d12 * covariance.elements[(0, 12)];
+    let block_1_1 = covariance.elements[(1, 1)] + half_0 * covariance.elements[(1, 0)] + half_2_2 * covariance.elements[(1, 2)] + next_1_d3 * covariance.elements[(1, 3)] + next_1_d10 * covariance.elements[(1, 10)] + next_1_d11 * covariance.elements[(1, 11)] + next_1_d12 * covariance.elements[(1, 12)];
+    let block_2_0 = covariance.elements[(0, 2)] + half_1 * covariance.elements[(0, 0)] + next_2_d1 * covariance.elements[(0, 1)] + half_0 * covariance.elements[(0, 3)] + next_2_d10 * covariance.elements[(0, 10)] + next_2_d11 * covariance.elements[(0, 11)] + next_2_d12 * covariance.elements[(0, 12)];
+    let block_2_1 = covariance.elements[(1, 2)] + half_1 * covariance.elements[(1, 0)] + next_2_d1 * covariance.elements[(1, 1)] + half_0 * covariance.elements[(1, 3)] + next_2_d10 * covariance.elements[(1, 10)] + next_2_d11 * covariance.elements[(1, 11)] + next_2_d12 * covariance.elements[(1, 12)];
+    let block_2_2 = covariance.elements[(2, 2)] + half_1 * covariance.elements[(2, 0)] + next_2_d1 * covariance.elements[(2, 1)] + half_0 * covariance.elements[(2, 3)] + next_2_d10 * covariance.elements[(2, 10)] + next_2_d11 * covariance.elements[(2, 11)] + next_2_d12 * covariance.elements[(2, 12)];
+    let block_3_0 = covariance.elements[(0, 3)] + half_2_2 * covariance.elements[(0, 0)] + half_1 * covariance.elements[(0, 1)] + next_3_d2 * covariance.elements[(0, 2)] + next_3_d10 * covariance.elements[(0, 10)] + next_3_d11 * covariance.elements[(0, 11)] + next_3_d12 * covariance.elements[(0, 12)];
+    let block_3_1 = covariance.elements[(1, 3)] + half_2_2 * covariance.elements[(1, 0)] + half_1 * covariance.elements[(1, 1)] + next_3_d2 * covariance.elements[(1, 2)] + next_3_d10 * covariance.elements[(1, 10)] + next_3_d11 * covariance.elements[(1, 11)] + next_3_d12 * covariance.elements[(1, 12)];
+    let block_3_2 = covariance.elements[(2, 3)] + half_2_2 * covariance.elements[(2, 0)] + half_1 * covariance.elements[(2, 1)] + next_3_d2 * covariance.elements[(2, 2)] + next_3_d10 * covariance.elements[(2, 10)] + next_3_d11 * covariance.elements[(2, 11)] + next_3_d12 * covariance.elements[(2, 12)];
+    let block_3_3 = covariance.elements[(3, 3)] + half_2_2 * covariance.elements[(3, 0)] + half_1 * covariance.elements[(3, 1)] + next_3_d2 * covariance.elements[(3, 2)] + next_3_d10 * covariance.elements[(3, 10)] + next_3_d11 * covariance.elements[(3, 11)] + next_3_d12 * covariance.elements[(3, 12)];
     covariance.elements[(0, 0)] = block_0_0;
-    let block_1_0 = row_0_1 + half_0 * row_0_0 + half_2_2 * row_0_2 + next_1_d3 * row_0_3 + next_1_d10 * covariance.elements[(0, 10)] + next_1_d11 * covariance.elements[(0, 11)] + next_1_d12 * covariance.elements[(0, 12)];
     covariance.elements[(1, 0)] = block_1_0;
     covariance.elements[(0, 1)] = block_1_0;
-    let block_1_1 = row_1_1 + half_0 * row_1_0 + half_2_2 * row_1_2 + next_1_d3 * row_1_3 + next_1_d10 * covariance.elements[(1, 10)] + next_1_d11 * covariance.elements[(1, 11)] + next_1_d12 * covariance.elements[(1, 12)];
     covariance.elements[(1, 1)] = block_1_1;
-    let block_2_0 = row_0_2 + half_1 * row_0_0 + next_2_d1 * row_0_1 + half_0 * row_0_3 + next_2_d10 * covariance.elements[(0, 10)] + next_2_d11 * covariance.elements[(0, 11)] + next_2_d12 * covariance.elements[(0, 12)];
     covariance.elements[(2, 0)] = block_2_0;
     covariance.elements[(0, 2)] = block_2_0;
-    let block_2_1 = row_1_2 + half_1 * row_1_0 + next_2_d1 * row_1_1 + half_0 * row_1_3 + next_2_d10 * covariance.elements[(1, 10)] + next_2_d11 * covariance.elements[(1, 11)] + next_2_d12 * covariance.elements[(1, 12)];
     covariance.elements[(2, 1)] = block_2_1;
     covariance.elements[(1, 2)] = block_2_1;
-    let block_2_2 = row_2_2 + half_1 * row_2_0 + next_2_d1 * row_2_1 + half_0 * row_2_3 + next_2_d10 * covariance.elements[(2, 10)] + next_2_d11 * covariance.elements[(2, 11)] + next_2_d12 * covariance.elements[(2, 12)];
     covariance.elements[(2, 2)] = block_2_2;
-    let block_3_0 = row_0_3 + half_2_2 * row_0_0 + half_1 * row_0_1 + next_3_d2 * row_0_2 + next_3_d10 * covariance.elements[(0, 10)] + next_3_d11 * covariance.elements[(0, 11)] + next_3_d12 * covariance.elements[(0, 12)];
     covariance.elements[(3, 0)] = block_3_0;
     covariance.elements[(0, 3)] = block_3_0;
-    let block_3_1 = row_1_3 + half_2_2 * row_1_0 + half_1 * row_1_1 + next_3_d2 * row_1_2 + next_3_d10 * covariance.elements[(1, 10)] + next_3_d11 * covariance.elements[(1, 11)] + next_3_d12 * covariance.elements[(1, 12)];
     covariance.elements[(3, 1)] = block_3_1;
     covariance.elements[(1, 3)] = block_3_1;
-    let block_3_2 = row_2_3 + half_2_2 * row_2_0 + half_1 * row_2_1 + next_3_d2 * row_2_2 + next_3_d10 * covariance.elements[(2, 10)] + next_3_d11 * covariance.elements[(2, 11)] + next_3_d12 * covariance.elements[(2, 12)];
     covariance.elements[(3, 2)] = block_3_2;
     covariance.elements[(2, 3)] = block_3_2;
-    let block_3_3 = row_3_3 + half_2_2 * row_3_0 + half_1 * row_3_1 + next_3_d2 * row_3_2 + next_3_d10 * covariance.elements[(3, 10)] + next_3_d11 * covariance.elements[(3, 11)] + next_3_d12 * covariance.elements[(3, 12)];
     covariance.elements[(3, 3)] = block_3_3;
-    vector![next_0, next_1, next_2, next_3, next_4, next_5, next_6, next_7, next_8, next_9, state[10], state[11], state[12], state[13], state[14], state[15], state[16], state[17], state[18], state[19], state[20], state[21], state[22], state[23]]
+    next
 }
 
 /// Elements of the state on which the measured field depends: attitude, the Earth's field and the body's.

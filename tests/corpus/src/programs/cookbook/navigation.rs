@@ -64,50 +64,47 @@ fn predicted(
     period: f64,
     covariance: &mut Symmetric<f64, 12>,
 ) -> SVector<f64, 12> {
-    let sin_state_6 = state[6].sin();
-    let cos_state_6 = state[6].cos();
-    let slope = -sin_state_6;
-    let sin_state_7 = state[7].sin();
-    let cos_state_7 = state[7].cos();
-    let slope_2 = -sin_state_7;
-    let sin_state_8 = state[8].sin();
-    let cos_state_8 = state[8].cos();
-    let slope_3 = -sin_state_8;
-    let lift = sin_state_6 * inertial.force[1] + cos_state_6 * inertial.force[2];
-    let lift_d6 = inertial.force[1] * cos_state_6 + inertial.force[2] * slope;
-    let ahead = cos_state_7 * inertial.force[0] + sin_state_7 * lift;
-    let ahead_d6 = sin_state_7 * lift_d6;
-    let ahead_d7 = inertial.force[0] * slope_2 + lift * cos_state_7;
-    let right = cos_state_6 * inertial.force[1] - sin_state_6 * inertial.force[2];
-    let right_d6 = inertial.force[1] * slope - inertial.force[2] * cos_state_6;
-    let down = cos_state_7 * lift - sin_state_7 * inertial.force[0];
-    let down_d6 = cos_state_7 * lift_d6;
-    let down_d7 = lift * slope_2 - inertial.force[0] * cos_state_7;
-    let acceleration_0 = cos_state_8 * ahead - sin_state_8 * right;
-    let acceleration_0_d6 = cos_state_8 * ahead_d6 - sin_state_8 * right_d6;
-    let acceleration_0_d7 = cos_state_8 * ahead_d7;
-    let acceleration_0_d8 = ahead * slope_3 - right * cos_state_8;
-    let acceleration_1 = sin_state_8 * ahead + cos_state_8 * right;
-    let acceleration_1_d6 = sin_state_8 * ahead_d6 + cos_state_8 * right_d6;
-    let acceleration_1_d7 = sin_state_8 * ahead_d7;
-    let acceleration_1_d8 = ahead * cos_state_8 + right * slope_3;
+    let sin_cos_state_6 = state[6].sin_cos();
+    let slope = -sin_cos_state_6.0;
+    let sin_cos_state_7 = state[7].sin_cos();
+    let slope_2 = -sin_cos_state_7.0;
+    let sin_cos_state_8 = state[8].sin_cos();
+    let slope_3 = -sin_cos_state_8.0;
+    let lift = sin_cos_state_6.0 * inertial.force[1] + sin_cos_state_6.1 * inertial.force[2];
+    let lift_d6 = inertial.force[1] * sin_cos_state_6.1 + inertial.force[2] * slope;
+    let ahead = sin_cos_state_7.1 * inertial.force[0] + sin_cos_state_7.0 * lift;
+    let ahead_d6 = sin_cos_state_7.0 * lift_d6;
+    let ahead_d7 = inertial.force[0] * slope_2 + lift * sin_cos_state_7.1;
+    let right = sin_cos_state_6.1 * inertial.force[1] - sin_cos_state_6.0 * inertial.force[2];
+    let right_d6 = inertial.force[1] * slope - inertial.force[2] * sin_cos_state_6.1;
+    let down = sin_cos_state_7.1 * lift - sin_cos_state_7.0 * inertial.force[0];
+    let down_d6 = sin_cos_state_7.1 * lift_d6;
+    let down_d7 = lift * slope_2 - inertial.force[0] * sin_cos_state_7.1;
+    let acceleration_0 = sin_cos_state_8.1 * ahead - sin_cos_state_8.0 * right;
+    let acceleration_0_d6 = sin_cos_state_8.1 * ahead_d6 - sin_cos_state_8.0 * right_d6;
+    let acceleration_0_d7 = sin_cos_state_8.1 * ahead_d7;
+    let acceleration_0_d8 = ahead * slope_3 - right * sin_cos_state_8.1;
+    let acceleration_1 = sin_cos_state_8.0 * ahead + sin_cos_state_8.1 * right;
+    let acceleration_1_d6 = sin_cos_state_8.0 * ahead_d6 + sin_cos_state_8.1 * right_d6;
+    let acceleration_1_d7 = sin_cos_state_8.0 * ahead_d7;
+    let acceleration_1_d8 = ahead * sin_cos_state_8.1 + right * slope_3;
     let acceleration_2 = down + GRAVITY;
     let p = inertial.rate[0] - state[9];
     let q = inertial.rate[1] - state[10];
     let r = inertial.rate[2] - state[11];
-    let turn = (sin_state_6 * q + cos_state_6 * r) / cos_state_7;
-    let turn_d6 = (q * cos_state_6 + r * slope) / cos_state_7;
-    let turn_d7 = -(turn * slope_2) / cos_state_7;
-    let turn_d10 = -sin_state_6 / cos_state_7;
-    let turn_d11 = -cos_state_6 / cos_state_7;
-    let rates_0 = p + sin_state_7 * turn;
-    let rates_0_d6 = sin_state_7 * turn_d6;
-    let rates_0_d7 = turn * cos_state_7 + sin_state_7 * turn_d7;
-    let rates_0_d10 = sin_state_7 * turn_d10;
-    let rates_0_d11 = sin_state_7 * turn_d11;
-    let rates_1 = cos_state_6 * q - sin_state_6 * r;
-    let rates_1_d6 = q * slope - r * cos_state_6;
-    let rates_1_d10 = -cos_state_6;
+    let turn = (sin_cos_state_6.0 * q + sin_cos_state_6.1 * r) / sin_cos_state_7.1;
+    let turn_d6 = (q * sin_cos_state_6.1 + r * slope) / sin_cos_state_7.1;
+    let turn_d7 = -(turn * slope_2) / sin_cos_state_7.1;
+    let turn_d10 = -sin_cos_state_6.0 / sin_cos_state_7.1;
+    let turn_d11 = -sin_cos_state_6.1 / sin_cos_state_7.1;
+    let rates_0 = p + sin_cos_state_7.0 * turn;
+    let rates_0_d6 = sin_cos_state_7.0 * turn_d6;
+    let rates_0_d7 = turn * sin_cos_state_7.1 + sin_cos_state_7.0 * turn_d7;
+    let rates_0_d10 = sin_cos_state_7.0 * turn_d10;
+    let rates_0_d11 = sin_cos_state_7.0 * turn_d11;
+    let rates_1 = sin_cos_state_6.1 * q - sin_cos_state_6.0 * r;
+    let rates_1_d6 = q * slope - r * sin_cos_state_6.1;
+    let rates_1_d10 = -sin_cos_state_6.1;
     let next_0 = state[0] + period * state[3];
     let next_3 = state[3] + period * acceleration_0;
     let next_3_d6 = period * acceleration_0_d6;
@@ -127,7 +124,7 @@ fn predicted(
     let next_7 = state[7] + period * rates_1;
     let next_7_d6 = period * rates_1_d6;
     let next_7_d10 = period * rates_1_d10;
-    let next_7_d11 = period * sin_state_6;
+    let next_7_d11 = period * sin_cos_state_6.0;
     let next_2 = state[2] + period * state[5];
     let next_5 = state[5] + period * acceleration_2;
     let next_5_d6 = period * down_d6;
@@ -137,6 +134,7 @@ fn predicted(
     let next_8_d7 = period * turn_d7;
     let next_8_d10 = period * turn_d10;
     let next_8_d11 = period * turn_d11;
+    let next = vector![next_0, next_1, next_2, next_3, next_4, next_5, next_6, next_7, next_8, state[9], state[10], state[11]];
     let row_0_0 = covariance.elements[(0, 0)] + period * covariance.elements[(3, 0)];
     let row_0_1 = covariance.elements[(0, 1)] + period * covariance.elements[(3, 1)];
     let row_0_2 = covariance.elements[(0, 2)] + period * covariance.elements[(3, 2)];
@@ -155,19 +153,19 @@ fn predicted(
         covariance.elements[(k, 2)] = row_2;
     }
     let block_0_0 = row_0_0 + period * covariance.elements[(0, 3)];
-    covariance.elements[(0, 0)] = block_0_0;
     let block_1_0 = row_0_1 + period * covariance.elements[(0, 4)];
+    let block_1_1 = row_1_1 + period * covariance.elements[(1, 4)];
+    let block_2_0 = row_0_2 + period * covariance.elements[(0, 5)];
+    let block_2_1 = row_1_2 + period * covariance.elements[(1, 5)];
+    let block_2_2 = row_2_2 + period * covariance.elements[(2, 5)];
+    covariance.elements[(0, 0)] = block_0_0;
     covariance.elements[(1, 0)] = block_1_0;
     covariance.elements[(0, 1)] = block_1_0;
-    let block_1_1 = row_1_1 + period * covariance.elements[(1, 4)];
     covariance.elements[(1, 1)] = block_1_1;
-    let block_2_0 = row_0_2 + period * covariance.elements[(0, 5)];
     covariance.elements[(2, 0)] = block_2_0;
     covariance.elements[(0, 2)] = block_2_0;
-    let block_2_1 = row_1_2 + period * covariance.elements[(1, 5)];
     covariance.elements[(2, 1)] = block_2_1;
     covariance.elements[(1, 2)] = block_2_1;
-    let block_2_2 = row_2_2 + period * covariance.elements[(2, 5)];
     covariance.elements[(2, 2)] = block_2_2;
     let row_3_3 = covariance.elements[(3, 3)] + next_3_d6 * covariance.elements[(6, 3)] + next_3_d7 * covariance.elements[(7, 3)] + next_3_d8 * covariance.elements[(8, 3)];
     let row_3_4 = covariance.elements[(3, 4)] + next_3_d6 * covariance.elements[(6, 4)] + next_3_d7 * covariance.elements[(7, 4)] + next_3_d8 * covariance.elements[(8, 4)];
@@ -198,67 +196,49 @@ fn predicted(
         covariance.elements[(k, 5)] = row_5;
     }
     let block_3_3 = row_3_3 + next_3_d6 * covariance.elements[(3, 6)] + next_3_d7 * covariance.elements[(3, 7)] + next_3_d8 * covariance.elements[(3, 8)];
-    covariance.elements[(3, 3)] = block_3_3;
     let block_4_3 = row_3_4 + next_4_d6 * covariance.elements[(3, 6)] + next_4_d7 * covariance.elements[(3, 7)] + next_4_d8 * covariance.elements[(3, 8)];
+    let block_4_4 = row_4_4 + next_4_d6 * covariance.elements[(4, 6)] + next_4_d7 * covariance.elements[(4, 7)] + next_4_d8 * covariance.elements[(4, 8)];
+    let block_5_3 = row_3_5 + next_5_d6 * covariance.elements[(3, 6)] + next_5_d7 * covariance.elements[(3, 7)];
+    let block_5_4 = row_4_5 + next_5_d6 * covariance.elements[(4, 6)] + next_5_d7 * covariance.elements[(4, 7)];
+    let block_5_5 = row_5_5 + next_5_d6 * covariance.elements[(5, 6)] + next_5_d7 * covariance.elements[(5, 7)];
+    covariance.elements[(3, 3)] = block_3_3;
     covariance.elements[(4, 3)] = block_4_3;
     covariance.elements[(3, 4)] = block_4_3;
-    let block_4_4 = row_4_4 + next_4_d6 * covariance.elements[(4, 6)] + next_4_d7 * covariance.elements[(4, 7)] + next_4_d8 * covariance.elements[(4, 8)];
     covariance.elements[(4, 4)] = block_4_4;
-    let block_5_3 = row_3_5 + next_5_d6 * covariance.elements[(3, 6)] + next_5_d7 * covariance.elements[(3, 7)];
     covariance.elements[(5, 3)] = block_5_3;
     covariance.elements[(3, 5)] = block_5_3;
-    let block_5_4 = row_4_5 + next_5_d6 * covariance.elements[(4, 6)] + next_5_d7 * covariance.elements[(4, 7)];
     covariance.elements[(5, 4)] = block_5_4;
     covariance.elements[(4, 5)] = block_5_4;
-    let block_5_5 = row_5_5 + next_5_d6 * covariance.elements[(5, 6)] + next_5_d7 * covariance.elements[(5, 7)];
     covariance.elements[(5, 5)] = block_5_5;
-    let row_6_6 = next_6_d6 * covariance.elements[(6, 6)] + next_6_d7 * covariance.elements[(7, 6)] + next_6_d9 * covariance.elements[(9, 6)] + next_6_d10 * covariance.elements[(10, 6)] + next_6_d11 * covariance.elements[(11, 6)];
-    let row_6_7 = next_6_d6 * covariance.elements[(6, 7)] + next_6_d7 * covariance.elements[(7, 7)] + next_6_d9 * covariance.elements[(9, 7)] + next_6_d10 * covariance.elements[(10, 7)] + next_6_d11 * covariance.elements[(11, 7)];
-    let row_6_8 = next_6_d6 * covariance.elements[(6, 8)] + next_6_d7 * covariance.elements[(7, 8)] + next_6_d9 * covariance.elements[(9, 8)] + next_6_d10 * covariance.elements[(10, 8)] + next_6_d11 * covariance.elements[(11, 8)];
-    let row_7_6 = covariance.elements[(7, 6)] + next_7_d6 * covariance.elements[(6, 6)] + next_7_d10 * covariance.elements[(10, 6)] + next_7_d11 * covariance.elements[(11, 6)];
-    let row_7_7 = covariance.elements[(7, 7)] + next_7_d6 * covariance.elements[(6, 7)] + next_7_d10 * covariance.elements[(10, 7)] + next_7_d11 * covariance.elements[(11, 7)];
-    let row_7_8 = covariance.elements[(7, 8)] + next_7_d6 * covariance.elements[(6, 8)] + next_7_d10 * covariance.elements[(10, 8)] + next_7_d11 * covariance.elements[(11, 8)];
-    let row_8_6 = covariance.elements[(8, 6)] + next_8_d6 * covariance.elements[(6, 6)] + next_8_d7 * covariance.elements[(7, 6)] + next_8_d10 * covariance.elements[(10, 6)] + next_8_d11 * covariance.elements[(11, 6)];
-    let row_8_7 = covariance.elements[(8, 7)] + next_8_d6 * covariance.elements[(6, 7)] + next_8_d7 * covariance.elements[(7, 7)] + next_8_d10 * covariance.elements[(10, 7)] + next_8_d11 * covariance.elements[(11, 7)];
-    let row_8_8 = covariance.elements[(8, 8)] + next_8_d6 * covariance.elements[(6, 8)] + next_8_d7 * covariance.elements[(7, 8)] + next_8_d10 * covariance.elements[(10, 8)] + next_8_d11 * covariance.elements[(11, 8)];
-    for k in 0..6 {
+    for k in 0..12 {
         let row_6 = next_6_d6 * covariance.elements[(6, k)] + next_6_d7 * covariance.elements[(7, k)] + next_6_d9 * covariance.elements[(9, k)] + next_6_d10 * covariance.elements[(10, k)] + next_6_d11 * covariance.elements[(11, k)];
         let row_7 = covariance.elements[(7, k)] + next_7_d6 * covariance.elements[(6, k)] + next_7_d10 * covariance.elements[(10, k)] + next_7_d11 * covariance.elements[(11, k)];
         let row_8 = covariance.elements[(8, k)] + next_8_d6 * covariance.elements[(6, k)] + next_8_d7 * covariance.elements[(7, k)] + next_8_d10 * covariance.elements[(10, k)] + next_8_d11 * covariance.elements[(11, k)];
         covariance.elements[(6, k)] = row_6;
-        covariance.elements[(k, 6)] = row_6;
         covariance.elements[(7, k)] = row_7;
-        covariance.elements[(k, 7)] = row_7;
         covariance.elements[(8, k)] = row_8;
-        covariance.elements[(k, 8)] = row_8;
+        if !(6..9).contains(&k) {
+            covariance.elements[(k, 6)] = row_6;
+            covariance.elements[(k, 7)] = row_7;
+            covariance.elements[(k, 8)] = row_8;
+        }
     }
-    for k in 9..12 {
-        let row_6 = next_6_d6 * covariance.elements[(6, k)] + next_6_d7 * covariance.elements[(7, k)] + next_6_d9 * covariance.elements[(9, k)] + next_6_d10 * covariance.elements[(10, k)] + next_6_d11 * covariance.elements[(11, k)];
-        let row_7 = covariance.elements[(7, k)] + next_7_d6 * covariance.elements[(6, k)] + next_7_d10 * covariance.elements[(10, k)] + next_7_d11 * covariance.elements[(11, k)];
-        let row_8 = covariance.elements[(8, k)] + next_8_d6 * covariance.elements[(6, k)] + next_8_d7 * covariance.elements[(7, k)] + next_8_d10 * covariance.elements[(10, k)] + next_8_d11 * covariance.elements[(11, k)];
-        covariance.elements[(6, k)] = row_6;
-        covariance.elements[(k, 6)] = row_6;
-        covariance.elements[(7, k)] = row_7;
-        covariance.elements[(k, 7)] = row_7;
-        covariance.elements[(8, k)] = row_8;
-        covariance.elements[(k, 8)] = row_8;
-    }
-    let block_6_6 = next_6_d6 * row_6_6 + next_6_d7 * row_6_7 + next_6_d9 * covariance.elements[(6, 9)] + next_6_d10 * covariance.elements[(6, 10)] + next_6_d11 * covariance.elements[(6, 11)];
+    let block_6_6 = next_6_d6 * covariance.elements[(6, 6)] + next_6_d7 * covariance.elements[(6, 7)] + next_6_d9 * covariance.elements[(6, 9)] + next_6_d10 * covariance.elements[(6, 10)] + next_6_d11 * covariance.elements[(6, 11)];
+    let block_7_6 = covariance.elements[(6, 7)] + next_7_d6 * covariance.elements[(6, 6)] + next_7_d10 * covariance.elements[(6, 10)] + next_7_d11 * covariance.elements[(6, 11)];
+    let block_7_7 = covariance.elements[(7, 7)] + next_7_d6 * covariance.elements[(7, 6)] + next_7_d10 * covariance.elements[(7, 10)] + next_7_d11 * covariance.elements[(7, 11)];
+    let block_8_6 = covariance.elements[(6, 8)] + next_8_d6 * covariance.elements[(6, 6)] + next_8_d7 * covariance.elements[(6, 7)] + next_8_d10 * covariance.elements[(6, 10)] + next_8_d11 * covariance.elements[(6, 11)];
+    let block_8_7 = covariance.elements[(7, 8)] + next_8_d6 * covariance.elements[(7, 6)] + next_8_d7 * covariance.elements[(7, 7)] + next_8_d10 * covariance.elements[(7, 10)] + next_8_d11 * covariance.elements[(7, 11)];
+    let block_8_8 = covariance.elements[(8, 8)] + next_8_d6 * covariance.elements[(8, 6)] + next_8_d7 * covariance.elements[(8, 7)] + next_8_d10 * covariance.elements[(8, 10)] + next_8_d11 * covariance.elements[(8, 11)];
     covariance.elements[(6, 6)] = block_6_6;
-    let block_7_6 = row_6_7 + next_7_d6 * row_6_6 + next_7_d10 * covariance.elements[(6, 10)] + next_7_d11 * covariance.elements[(6, 11)];
     covariance.elements[(7, 6)] = block_7_6;
     covariance.elements[(6, 7)] = block_7_6;
-    let block_7_7 = row_7_7 + next_7_d6 * row_7_6 + next_7_d10 * covariance.elements[(7, 10)] + next_7_d11 * covariance.elements[(7, 11)];
     covariance.elements[(7, 7)] = block_7_7;
-    let block_8_6 = row_6_8 + next_8_d6 * row_6_6 + next_8_d7 * row_6_7 + next_8_d10 * covariance.elements[(6, 10)] + next_8_d11 * covariance.elements[(6, 11)];
     covariance.elements[(8, 6)] = block_8_6;
     covariance.elements[(6, 8)] = block_8_6;
-    let block_8_7 = row_7_8 + next_8_d6 * row_7_6 + next_8_d7 * row_7_7 + next_8_d10 * covariance.elements[(7, 10)] + next_8_d11 * covariance.elements[(7, 11)];
     covariance.elements[(8, 7)] = block_8_7;
     covariance.elements[(7, 8)] = block_8_7;
-    let block_8_8 = row_8_8 + next_8_d6 * row_8_6 + next_8_d7 * row_8_7 + next_8_d10 * covariance.elements[(8, 10)] + next_8_d11 * covariance.elements[(8, 11)];
     covariance.elements[(8, 8)] = block_8_8;
-    vector![next_0, next_1, next_2, next_3, next_4, next_5, next_6, next_7, next_8, state[9], state[10], state[11]]
+    next
 }
 
 /// The filter.
