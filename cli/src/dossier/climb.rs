@@ -181,7 +181,7 @@ struct Ascent<'a, 'm> {
 }
 
 impl Ascent<'_, '_> {
-    /// Makes passes until none helps, or until one of so many shares of the rest is spent. Returns the longest call.
+    /// Makes passes until none helps, or until its share of the rest is spent, one of `shares`. Returns the longest call.
     fn ascend(&mut self, mut peak: Peak, shares: u64) -> Result<Peak, Error> {
         self.end = self.left - self.left / shares.max(1);
         while peak.instructions < self.enough {
