@@ -141,9 +141,11 @@ static double mixer_share(const double base[AIRFRAME_MAX_MOTORS],
                 difference = -difference;
                 distance = -distance;
             }
-            const double room = largest - distance;
+
+            /* Rounding alone may bring two motors beyond the limit. */
+            const double room = max_f64(largest - distance, 0.0);
             if (difference * share > room) {
-                share = max_f64(room / difference, 0.0);
+                share = room / difference;
             }
         }
     }

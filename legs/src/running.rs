@@ -6,7 +6,7 @@
 use std::collections::VecDeque;
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::path::Path;
-use std::process::{Child, ChildStderr, ChildStdin, Stdio};
+use std::process::{Child, ChildStderr, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
@@ -24,7 +24,7 @@ const LINES: usize = 3;
 pub struct Running {
     child: Child,
     command: String,
-    input: ChildStdin,
+    input: Sender<Vec<u8>>,
     lines: Receiver<String>,
 }
 
@@ -44,9 +44,18 @@ impl Running {
         let text = line(&command);
         let mut child = command.spawn().map_err(|error| format!("{text}: {error}"))?;
         let ends = child.stdin.take().zip(child.stderr.take());
-        let (input, said) = ends.ok_or_else(|| format!("{text}: it has no streams"))?;
+        let (mut stdin, said) = ends.ok_or_else(|| format!("{text}: it has no streams"))?;
         let (sender, lines) = channel();
         std::thread::spawn(move || pass_on(said, &sender));
+        // A program that does not go on reads nothing: whoever writes to it waits, too.
+        let (input, words) = channel::<Vec<u8>>();
+        std::thread::spawn(move || {
+            while let Ok(words) = words.recv() {
+                if stdin.write_all(&words).and_then(|()| stdin.flush()).is_err() {
+                    return;
+                }
+            }
+        });
         Ok(Running { child, command: text, input, lines })
     }
 
@@ -54,16 +63,16 @@ impl Running {
     ///
     /// # Errors
     /// The program ends or waits too long, with its last lines.
-    pub fn count(&mut self, input: &[u8], calls: usize) -> Result<Vec<u64>, String> {
-        // A program that has ended takes no words, and its lines tell why.
-        let written = self.input.write_all(input).and_then(|()| self.input.flush());
+    pub fn count(&mut self, input: Vec<u8>, calls: usize) -> Result<Vec<u64>, String> {
+        // A program that has ended takes no words, and its lines say why.
+        let _ = self.input.send(input);
         let (mut counts, mut others) = (Vec::with_capacity(calls), VecDeque::new());
         while counts.len() < calls {
             let line = match self.lines.recv_timeout(PATIENCE) {
                 Ok(line) => line,
                 Err(end) => {
                     let lines: Vec<String> = others.into();
-                    let why = self.why(end, written);
+                    let why = self.why(end);
                     return Err(format!("{}: {why}\n{}", self.command, lines.join("\n")));
                 }
             };
@@ -81,15 +90,14 @@ impl Running {
     }
 
     /// Returns the reason why no line came.
-    fn why(&mut self, end: RecvTimeoutError, written: std::io::Result<()>) -> String {
+    fn why(&mut self, end: RecvTimeoutError) -> String {
         // Its streams close shortly before it ends.
         let ended = match end {
             RecvTimeoutError::Disconnected => self.child.wait_timeout(PATIENCE),
             RecvTimeoutError::Timeout => self.child.try_wait(),
         };
-        match (ended, written) {
-            (Ok(Some(status)), _) => status.to_string(),
-            (_, Err(error)) => error.to_string(),
+        match ended {
+            Ok(Some(status)) => status.to_string(),
             _ => "it does not go on".to_owned(),
         }
     }
@@ -105,9 +113,9 @@ impl Drop for Running {
 
 /// Sends each line of a program, until it or the receiver ends.
 fn pass_on(said: ChildStderr, to: &Sender<String>) {
-    for line in BufReader::new(said).lines() {
+    for line in BufReader::new(said).split(b'\n') {
         let Ok(line) = line else { return };
-        if to.send(line).is_err() {
+        if to.send(String::from_utf8_lossy(&line).into_owned()).is_err() {
             return;
         }
     }

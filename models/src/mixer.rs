@@ -132,9 +132,10 @@ fn share(base: &SVector<f64, MAX_MOTORS>, more: &SVector<f64, MAX_MOTORS>, large
                 difference = -difference;
                 distance = -distance;
             }
-            let room = largest - distance;
+            // Rounding alone may bring two motors beyond the limit.
+            let room = (largest - distance).max(0.0);
             if difference * share > room {
-                share = (room / difference).max(0.0);
+                share = room / difference;
             }
         }
     }

@@ -112,6 +112,21 @@ fn roll_is_kept_before_yaw_and_yaw_before_height() {
     assert!((command.motors.fixed_rows::<4>(0) - all).amax() < 1e-12, "{}", command.motors);
 }
 
+/// Two motors at their limits have no room for each other, and rounding must not take the room of the others.
+#[test]
+#[requirement("HLR-13")]
+fn yaw_is_kept_beside_any_tilt_that_two_motors_share() {
+    let (airframe, parameters) = (Airframe::mambo(), Parameters::mambo());
+    for size in 1..=400 {
+        for [roll, pitch] in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
+            let size = 0.0137 * f64::from(size);
+            let wanted = Vector3::new(roll * size, pitch * size, 1e-4);
+            let got = loads(&airframe, &parameters, &mixed(&parameters, 0.7, wanted));
+            assert!(got[3] > 0.9e-4, "{wanted}: {got}");
+        }
+    }
+}
+
 #[test]
 fn feed_forward_adds_speed_and_leaves_torques_as_they_are() {
     let (airframe, parameters) = (Airframe::mambo(), Parameters::mambo());

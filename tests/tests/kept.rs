@@ -92,7 +92,7 @@ fn a_program_that_goes_on_running_counts_as_one_run_does() {
             Running::start(&ARM, &own, &own.join("main")).unwrap_or_else(|said| panic!("{said}"));
         let mut counts = Vec::new();
         for calls in FROM_ONE.chunks(2) {
-            let some = running.count(&input(calls), calls.len());
+            let some = running.count(input(calls), calls.len());
             counts.extend(some.unwrap_or_else(|said| panic!("{said}")));
         }
         assert_eq!(counts, whole);
@@ -100,7 +100,7 @@ fn a_program_that_goes_on_running_counts_as_one_run_does() {
         std::fs::write(&main, "int main(void)\n{\n    return 3;\n}\n").expect("a program");
         let program = watch::built(&ARM, folder.path(), &main, &[], &[]).expect("it compiles");
         let mut running = Running::start(&ARM, &own, &program).expect("it starts");
-        let said = running.count(&input(&FROM_ONE), 6).expect_err("it reads no calls");
+        let said = running.count(input(&FROM_ONE), 6).expect_err("it reads no calls");
         assert!(said.contains("exit status: 3"), "{said}");
     });
 }

@@ -28,7 +28,7 @@ const OF_A_WORD: u64 = 200;
 
 /// A long call, and those before it.
 #[derive(Clone)]
-struct Peak {
+pub struct Peak {
     /// Calls that are not changed, from the initial state; some may be of other functions.
     before: Rc<[Life]>,
     /// Calls that may be changed; the last one is the long one.
@@ -46,7 +46,7 @@ impl Peak {
     /// Instructions of a program that makes the calls that may be changed.
     fn cost(&self) -> u64 {
         let words = self.life.calls.iter().map(Vec::len).sum::<usize>() as u64;
-        self.instructions.max(1) * self.life.calls.len() as u64 + words * OF_A_WORD
+        self.instructions.max(1) * self.life.calls.len().max(1) as u64 + words * OF_A_WORD
     }
 
     /// Returns the same calls, of which the last one may be changed.
@@ -79,6 +79,10 @@ impl Peaks {
     pub fn note(&mut self, before: &[Life], life: &Life, longest: LongestCall) {
         let place = before.iter().map(|it| it.calls.len()).sum::<usize>() + longest.at;
         let peaks = &mut self.0[usize::from(place >= LATER)];
+        // Not looked at, or no call at all.
+        if longest.instructions == 0 || life.calls.is_empty() {
+            return;
+        }
         let known = |it: &Peak| it.instructions == longest.instructions;
         let full = peaks.len() == BEGINNINGS;
         if peaks.iter().any(known)
@@ -92,12 +96,12 @@ impl Peaks {
     }
 
     /// Returns long calls with other numbers as beginnings: a change may give them these numbers.
-    fn beginnings(&self, others: Option<&Peaks>) -> Vec<Peak> {
+    pub fn beginnings(&self, others: Option<&Peaks>) -> Vec<Peak> {
         let own = self.0.concat();
         let longest = own.iter().map(|it| it.instructions).max().unwrap_or_default();
         let others = others.into_iter().flat_map(|it| it.0.concat());
         // What is no longer than the longest call with these numbers is no gain.
-        let others = others.map(|it| Peak { instructions: longest, ..it });
+        let others = others.map(|it| Peak { instructions: longest.max(1), ..it });
         own.iter().cloned().chain(others).collect()
     }
 
@@ -114,21 +118,18 @@ impl Peaks {
 }
 
 /// Searches for longer calls of an entry point with these numbers, and notes them. It ends at `enough` instructions of a
-/// call, and when `budget` instructions are counted. Returns the rest of the budget. It also begins at long calls with other
-/// numbers.
+/// call, and when `budget` instructions are counted. Returns the rest of the budget.
 ///
 /// # Errors
 /// The message of the emulator or the system.
 pub fn climb(
     search: &mut Search<'_>,
     counter: &mut Counter,
-    peaks: &mut Peaks,
-    others: Option<&Peaks>,
+    (beginnings, peaks): (&[Peak], &mut Peaks),
     values: &[Value],
     numbers: Numbers,
     [enough, budget]: [u64; 2],
 ) -> Result<u64, Error> {
-    let beginnings = peaks.beginnings(others);
     let mut ascent = Ascent {
         search,
         counter,
@@ -142,7 +143,7 @@ pub fn climb(
     // Most of the budget is for the best of them.
     let mut shares = (beginnings.len() + LAST.len() + 1) as u64;
     let mut best: Option<(Peak, Peak)> = None;
-    for whole in beginnings {
+    for whole in beginnings.iter().cloned() {
         let peak = ascent.ascend(whole.clone().with_last(), shares)?;
         shares -= 1;
         if best.as_ref().is_none_or(|it| it.0.instructions < peak.instructions) {

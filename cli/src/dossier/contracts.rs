@@ -22,7 +22,7 @@ const COMMAND: &str = "frama-c -wp -wp-rte";
 /// Provers that WP can use, from the cheapest; their programs have the same names. Without one WP simplifies only.
 const PROVERS: [&str; 3] = ["alt-ergo", "cvc4", "z3"];
 /// Seconds that a prover may take for a goal, which no goal takes.
-const SECONDS: &str = "30";
+const SECONDS: &str = "120";
 /// Steps that a prover may take for a goal.
 const STEPS: &str = "20000";
 

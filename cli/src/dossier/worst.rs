@@ -23,7 +23,9 @@ use crate::verify::search::{Life, Search, Value};
 const BUDGET: u64 = 20_000_000_000;
 
 /// Instructions that are counted to climb at one entry point, for each round of the search.
-const CLIMB: u64 = 200_000_000;
+const CLIMB: u64 = 300_000_000;
+/// Number of climbs from the same calls: each in another order, which decides where it ends.
+const CLIMBS: u64 = 3;
 /// [`CLIMB`] with subnormal numbers, of which no bound is near.
 const CLIMB_SUBNORMAL: u64 = 1_500_000;
 
@@ -81,6 +83,9 @@ fn counted(
         let Some(rest) = rest.get_mut(life.target) else { return Ok(()) };
         life.calls.truncate(usize::try_from(*rest).unwrap_or(usize::MAX));
         *rest -= life.calls.len() as u64;
+        if life.calls.is_empty() {
+            return Ok(());
+        }
         words += life.calls.iter().map(Vec::len).sum::<usize>();
         lives.push(life);
         if words > MOST {
@@ -197,20 +202,24 @@ fn climbed(
             _ => CLIMB,
         };
         let mut left = known.rounds.saturating_mul(budget).saturating_mul(open.len() as u64);
-        for (done, (bound, at)) in open.iter().enumerate() {
-            let share = left / (open.len() - done) as u64;
-            let ends = [100 * bound / CLOSE, share];
+        let mut all: u64 = open.iter().map(|it| it.0).sum();
+        for (bound, at) in open {
+            let mut share = (u128::from(left) * u128::from(bound) / u128::from(all.max(1))) as u64;
+            all -= bound;
+            left -= share;
             let values: Vec<Value> = it.peaks.iter().flat_map(|it| it.values(search)).collect();
-            let rest = climb(
-                search,
-                counter,
-                &mut it.peaks[*at],
-                others.as_ref().and_then(|it| it.get(*at)),
-                &values,
-                it.numbers,
-                ends,
-            )?;
-            left -= share - rest;
+            let others = others.as_ref().and_then(|it| it.get(at));
+            let beginnings = it.peaks[at].beginnings(others);
+            for rest in (1..=CLIMBS).rev() {
+                let ends = [100 * bound / CLOSE, share / rest];
+                let peaks = &mut it.peaks[at];
+                share -= ends[1];
+                share += climb(search, counter, (&beginnings, peaks), &values, it.numbers, ends)?;
+                if !it.is_open(counter, at) {
+                    break;
+                }
+            }
+            left += share;
         }
         others = Some(it.peaks.clone());
     }

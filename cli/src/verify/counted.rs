@@ -41,7 +41,7 @@ impl LongestCall {
 pub struct Both {
     /// With any numbers.
     pub any: LongestCall,
-    /// With normal ones; of no instructions if no call has them.
+    /// With normal ones; of no instructions if no call has them, or none was looked at.
     pub normal: LongestCall,
 }
 
@@ -135,7 +135,11 @@ impl Counter {
     ) -> Result<Vec<Both>, Error> {
         let rows: Vec<Row> = lives.iter().map(|it| vec![it.clone()]).collect();
         let floors = vec![floor; self.most.len()];
-        self.count_from(Some(before).filter(|it| !it.is_empty()), &rows, &floors)
+        self.count_from(
+            Some(before).filter(|it| it.iter().any(|life| !life.calls.is_empty())),
+            &rows,
+            &floors,
+        )
     }
 
     /// Counts the calls of some rows, each from a kept state or the initial one.
@@ -234,7 +238,7 @@ impl Program {
                 self.kept = before.cloned();
             }
         }
-        let counts = self.running.count(&input, calls).map_err(|said| Error::Uncounted {
+        let counts = self.running.count(input, calls).map_err(|said| Error::Uncounted {
             name: self.toolchain.name(),
             said: said.replace(&self.folder.path().display().to_string(), "."),
         })?;

@@ -250,7 +250,8 @@ impl Raw {
             let loaded =
                 word.starts_with("ldrd") && place(register) == place(first).map(|it| it + 1);
             let named = operands.split(|it: char| !it.is_alphanumeric()).any(|it| it == register);
-            if called || loaded || named && !is_move {
+            let range = operands.contains("-r");
+            if called || loaded || range || named && !is_move {
                 return false;
             }
         }

@@ -67,8 +67,8 @@ const FUNCTIONS: &[(&str, u64, u64, u64)] = &[
     ("__aeabi_ldivmod", 810, 90, 90),
 ];
 
-/// Operations of doubles on the Cortex-M4, and instructions if the second operand is zero: no other operation gets much
-/// shorter.
+/// Operations of doubles on the Cortex-M4, and instructions if the second operand is zero. Others take about their usual figure
+/// then.
 const WITH_ZERO: [(&str, u64); 2] = [("__aeabi_dadd", 34), ("__aeabi_dsub", 33)];
 
 /// Known second and third argument of a call.

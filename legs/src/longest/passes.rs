@@ -28,6 +28,8 @@ pub struct Times {
     /// A loop around it whose counter it follows, and its numbers of passes, each for one value of the counter. The
     /// largest is the first.
     pub following: Option<(Line, Vec<u64>)>,
+    /// Loops of the C within it, and their largest numbers of passes.
+    pub within: Vec<(Line, u64)>,
 }
 
 impl From<u64> for Times {
@@ -102,7 +104,7 @@ impl Passes {
                     (Some(one), Some(other)) => Some(one.min(other)),
                     (one, other) => one.or(other),
                 };
-                if let Some(it) = &parsed {
+                if let Some(it) = parsed.as_ref().filter(|it| it.stays(&lines, at, last_line)) {
                     around.extend(it.counted(number, last_line, &constants));
                 }
                 let following = following.map(|(line, passes)| ((name.to_owned(), line), passes));
@@ -140,6 +142,11 @@ impl Passes {
                 // Several that were inlined: which of them it is, is not known.
                 Some(other) => Times::from(most.max(other.most)),
             });
+        }
+        if let Some(times) = &mut times {
+            let inner = found.iter().filter(|it| is_within(it.0));
+            times.within =
+                inner.map(|(it, own)| ((*it).clone(), own.passes.unwrap_or(1))).collect();
         }
         if let (Some(times), Some((place, first))) = (&mut times, own.first())
             && own.iter().all(|(it, other)| (&it.0, other.function) == (&place.0, first.function))
@@ -229,6 +236,17 @@ impl<'t> Head<'t> {
         let length = || slices.get(self.to.strip_suffix("_length")?).copied();
         let to = value(self.to, constants).or_else(length)?;
         Some(self.between(from, to))
+    }
+
+    /// True if nothing within the loop changes its counter, or has its name.
+    fn stays(&self, lines: &[&str], at: usize, last_line: u32) -> bool {
+        let mut within = lines[..last_line as usize].iter().skip(at + 1);
+        !within.any(|line| {
+            let mut words = line.split(|it: char| !it.is_alphanumeric() && it != '_');
+            let is_name = words.any(|it| it == self.counter);
+            let written = [" = ", " += ", " -= ", "++", "--"];
+            is_name && written.iter().any(|it| line.contains(&format!("{}{it}", self.counter)))
+        })
     }
 
     /// Returns the loop if its ends are constants.

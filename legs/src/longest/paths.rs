@@ -9,7 +9,7 @@
 //! the counter never has a value twice. So `n` passes of the outer loop cost the sum of their longest paths, the inner loop
 //! having its `n` largest numbers of passes one after the other.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use super::passes::{Line, Times};
 
@@ -26,7 +26,7 @@ pub fn longest(
     costs: &[u64],
     bound: &dyn Fn(&[usize]) -> Result<Times, String>,
 ) -> Result<u64, String> {
-    let graph = Graph { next, costs, bound };
+    let graph = Graph { next, costs, bound, seen: RefCell::default() };
     let all: Vec<usize> = (0..next.len()).collect();
     let ends = graph.from(&all, 0, &[], None)?;
     let left = ends.into_iter().zip(leave).filter(|(_, leave)| **leave);
@@ -37,6 +37,8 @@ struct Graph<'g> {
     next: &'g [Vec<usize>],
     costs: &'g [u64],
     bound: &'g dyn Fn(&[usize]) -> Result<Times, String>,
+    /// Lines of the loops so far.
+    seen: RefCell<Vec<Line>>,
 }
 
 /// A pass of a loop around some blocks.
@@ -58,7 +60,7 @@ impl Around<'_> {
         while let Some(it) = around {
             if it.places.contains(place) {
                 it.followed.set(true);
-                return passes.get(it.pass).copied().unwrap_or_default().min(times.most);
+                return passes.get(it.pass).map_or(times.most, |it| times.most.min(*it));
             }
             around = it.outer;
         }
@@ -102,7 +104,15 @@ impl Graph<'_> {
                     let around_it = Around { places, pass, followed: &followed, outer };
                     self.from(&part, first, &around, Some(&around_it))
                 };
+                // The longest pass, which is also the last one on the way out.
+                let seen = self.seen.borrow().len();
                 let inner = nth(0)?;
+                let merged = bound
+                    .within
+                    .iter()
+                    .filter(|(line, _)| !self.seen.borrow()[seen..].contains(line));
+                let merged = merged.fold(1_u64, |product, (_, most)| product.saturating_mul(*most));
+                self.seen.borrow_mut().extend(bound.places.iter().cloned());
                 let back = |it: &&usize| self.next[**it].contains(&first);
                 let pass = |inner: &Ends| {
                     let all = part.iter().filter(back).filter_map(|it| inner[*it]);
@@ -116,8 +126,13 @@ impl Graph<'_> {
                 if followed.get() && times <= ONE_BY_ONE {
                     passes = 0;
                     for number in 0..times as usize {
-                        passes += pass(&nth(number)?);
+                        passes = passes.saturating_add(pass(&nth(number)?));
                     }
+                }
+                // Two loops may have one first block, to which both go back.
+                if merged > 1 && part.iter().filter(back).count() > 1 {
+                    let all = Around::passes(outer, &bound).saturating_mul(merged + 1);
+                    passes = passes.max(pass(&inner).saturating_mul(all));
                 }
                 let all = start.saturating_add(passes);
                 for block in &part {
@@ -223,12 +238,22 @@ mod tests {
         let following = Some((outer.clone(), vec![4, 3, 2, 1]));
         let bound = |blocks: &[usize]| {
             Ok(match blocks {
-                [2] => Times { places: Vec::new(), most: 4, following: following.clone() },
-                _ => Times { places: vec![outer.clone()], most: 4, following: None },
+                [2] => Times { most: 4, following: following.clone(), ..Times::default() },
+                _ => Times { places: vec![outer.clone()], most: 4, ..Times::default() },
             })
         };
         let cost = longest(&next, &leave(&next), &[0, 1, 10, 1, 0], &bound).expect("bounded");
         assert_eq!(cost, 4 * 2 + (4 + 3 + 2 + 1) * 10 + 1);
+    }
+
+    /// 1 → 2 → 1 is a loop of four passes within 1 → 3 → 1 of three, and both go back to 1.
+    #[test]
+    fn loops_with_one_first_block_have_the_passes_of_both() {
+        let next: Vec<Vec<usize>> = vec![vec![1], vec![2, 3], vec![1], vec![1, 4], vec![]];
+        let within = vec![(("a.c".to_owned(), 5), 4)];
+        let bound = |_: &[usize]| Ok(Times { most: 3, within: within.clone(), ..Times::default() });
+        let cost = longest(&next, &leave(&next), &[0, 1, 10, 1, 0], &bound).expect("bounded");
+        assert!(cost >= 3 * (4 * 11 + 2), "{cost}");
     }
 
     /// All graphs of four blocks without a way back, against all paths.
