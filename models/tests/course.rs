@@ -148,9 +148,14 @@ fn a_silent_ground_is_waited_for_then_left() {
     orders.silence = 0.0;
     flown(&mut generator, &orders, 0.01);
     assert_eq!((generator.phase, generator.wanted.yaw), (Phase::Flight, 1.0));
-    orders.silence = course.landing_timeout + 0.01;
-    flown(&mut generator, &orders, 0.01);
-    assert_eq!(generator.phase, Phase::Landing);
+    // Silent again, and for longer.
+    for (silence, phase) in
+        [(course.hold_timeout, Phase::Hold), (course.landing_timeout, Phase::Landing)]
+    {
+        orders.silence = silence + 0.01;
+        flown(&mut generator, &orders, 0.01);
+        assert_eq!(generator.phase, phase);
+    }
     // A ground that never said that it would be heard of again is not missed.
     let mut other = Recorded::<ReferenceGenerator>::default();
     flown(&mut other, &Orders { watched: false, ..orders }, 3.0);
