@@ -7,7 +7,7 @@
 //! reduced in two doubles: [`super::reduction`].
 
 use super::RawBits as _;
-use super::reduction::reduce;
+use super::reduction::{ReducedAngle, reduce};
 use super::tables::{SINE_POLYNOMIAL, SINE_ROWS, STEP_HIGH, STEP_LOW, STEPS_PER_RADIAN};
 use crate::prelude::*;
 
@@ -75,17 +75,9 @@ fn near_zero(high: f64, low: f64) -> f64 {
     high + (low + high * z * tail)
 }
 
-/// Sine of `x` + `quarter_turns` · π/2, by reducing the angle in two doubles. For a tiny `x`, `quarter_turns` must be
-/// 0 or 1.
+/// Sine of a reduced angle + `quarter_turns` · π/2.
 #[function]
-pub fn by_reduction(x: f64, quarter_turns: u64) -> f64 {
-    if x.abs() < TINY {
-        return if quarter_turns == 0 { x } else { 1.0 };
-    }
-    if quarter_turns == 0 && x.abs() < NEAR_ZERO {
-        return near_zero(x, 0.0);
-    }
-    let angle = reduce(x);
+fn of_reduced(angle: ReducedAngle, quarter_turns: u64) -> f64 {
     let quadrant = angle.quadrant.wrapping_add(quarter_turns);
     if (quadrant & 1) == 0 && angle.high.abs() < NEAR_ZERO {
         let value = near_zero(angle.high, angle.low);
@@ -96,6 +88,19 @@ pub fn by_reduction(x: f64, quarter_turns: u64) -> f64 {
         let rest = ((angle.high - steps * STEP_HIGH) - steps * STEP_LOW) + angle.low;
         from_row(shifted.raw_bits().wrapping_add(quadrant << 5), rest)
     }
+}
+
+/// Sine of `x` + `quarter_turns` · π/2, by reducing the angle in two doubles. For a tiny `x`, `quarter_turns` must be
+/// 0 or 1.
+#[function]
+pub fn by_reduction(x: f64, quarter_turns: u64) -> f64 {
+    if x.abs() < TINY {
+        return if quarter_turns == 0 { x } else { 1.0 };
+    }
+    if quarter_turns == 0 && x.abs() < NEAR_ZERO {
+        return near_zero(x, 0.0);
+    }
+    of_reduced(reduce(x), quarter_turns)
 }
 
 /// Sine of `x` + `quarter_turns` · π/2.
@@ -130,14 +135,22 @@ pub fn cos(x: f64) -> f64 {
 /// Sine and cosine of an angle in rad, with the bits of [`sin`] and [`cos`] and one reduction.
 #[function]
 pub fn sin_cos(x: f64) -> (f64, f64) {
-    let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
-    let row = shifted.raw_bits();
-    // Next to a multiple of π/2 one of them is small.
-    if x.abs() < MODERATE && (row.wrapping_add(5) & 31) > 10 {
+    if x.abs() < MODERATE {
+        let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
         let steps = shifted - TO_INTEGER;
         let rest = (x - steps * STEP_HIGH) - steps * STEP_LOW;
-        (from_row(row, rest), from_row(row.wrapping_add(32), rest))
+        let row = shifted.raw_bits();
+        // Next to a multiple of π/2 one of them is small.
+        let place = row.wrapping_add(5) & 63;
+        if (place & 31) > 10 {
+            (from_row(row, rest), from_row(row.wrapping_add(32), rest))
+        } else if place > 10 {
+            (from_row(row, rest), by_reduction(x, 1))
+        } else {
+            (by_reduction(x, 0), from_row(row.wrapping_add(32), rest))
+        }
     } else {
-        (sin(x), cos(x))
+        let angle = reduce(x);
+        (of_reduced(angle, 0), of_reduced(angle, 1))
     }
 }
