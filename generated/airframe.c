@@ -17,6 +17,7 @@
 #include "bessemer_calls.h"
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
+#include "pair_f64_f64.h"
 #include "sine.h"
 
 static const double PI = 3.141592653589793;
@@ -108,10 +109,11 @@ void airframe_effectiveness(const airframe_t *self,
     double spins[AIRFRAME_MAX_MOTORS];
     airframe_spins(self, spins);
     for (uint32_t n = 0U; n < AIRFRAME_MAX_MOTORS; n++) {
-        const double angle = airframe_arm_angle(self->layout, self->motors, n);
+        pair_f64_f64_t pair;
+        sine_sin_cos(airframe_arm_angle(self->layout, self->motors, n), &pair);
         effect[0U + 4U * n] = thrust[n];
-        effect[1U + 4U * n] = thrust[n] * self->arm * sine_sin(angle);
-        effect[2U + 4U * n] = -thrust[n] * self->arm * sine_cos(angle);
+        effect[1U + 4U * n] = thrust[n] * self->arm * pair.first;
+        effect[2U + 4U * n] = -thrust[n] * self->arm * pair.second;
         effect[3U + 4U * n] = spins[n] * drag[n];
     }
 }
@@ -131,11 +133,12 @@ void airframe_allocation(const airframe_t *self,
     }
     for (uint32_t n = 0U; n < AIRFRAME_MAX_MOTORS; n++) {
         if (thrust[n] > 0.0 && drag[n] > 0.0) {
-            const double angle = airframe_arm_angle(self->layout, self->motors, n);
+            pair_f64_f64_t pair;
+            sine_sin_cos(airframe_arm_angle(self->layout, self->motors, n), &pair);
             const double leverage = 2.0 / (count * thrust[n] * self->arm);
             share[n + 8U * 0U] = 1.0 / (count * thrust[n]);
-            share[n + 8U * 1U] = leverage * sine_sin(angle);
-            share[n + 8U * 2U] = -leverage * sine_cos(angle);
+            share[n + 8U * 1U] = leverage * pair.first;
+            share[n + 8U * 2U] = -leverage * pair.second;
             share[n + 8U * 3U] = spins[n] / (count * drag[n]);
         }
     }

@@ -20,18 +20,25 @@
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
+#include "pair_f64_f64.h"
 #include "sine.h"
 
 static const double PI = 3.141592653589793;
 
 void orientation_of(const double angles[3], orientation_t *BESSEMER_RESTRICT orientation)
 {
-    orientation->s1 = sine_sin(angles[0]);
-    orientation->c1 = sine_cos(angles[0]);
-    orientation->s2 = sine_sin(angles[1]);
-    orientation->c2 = sine_cos(angles[1]);
-    orientation->s3 = sine_sin(angles[2]);
-    orientation->c3 = sine_cos(angles[2]);
+    pair_f64_f64_t pair;
+    sine_sin_cos(angles[0], &pair);
+    pair_f64_f64_t pair_2;
+    sine_sin_cos(angles[1], &pair_2);
+    pair_f64_f64_t pair_3;
+    sine_sin_cos(angles[2], &pair_3);
+    orientation->s1 = pair.first;
+    orientation->c1 = pair.second;
+    orientation->s2 = pair_2.first;
+    orientation->c2 = pair_2.second;
+    orientation->s3 = pair_3.first;
+    orientation->c3 = pair_3.second;
 }
 
 void orientation_rotation(const orientation_t *self, double result[BESSEMER_RESTRICT 9])

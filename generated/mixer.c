@@ -134,7 +134,7 @@ static double mixer_share(const double base[AIRFRAME_MAX_MOTORS],
     double share = 1.0;
     for (uint32_t i = 0U; i < AIRFRAME_MAX_MOTORS; i++) {
         for (uint32_t j = 0U; j < i; j++) {
-            /* Of the two, the first is the one that `more` speeds up most. */
+            /* The order of the two motors is the one with a positive difference. */
             double difference = more[i] - more[j];
             double distance = base[i] - base[j];
             if (difference < 0.0) {

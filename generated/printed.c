@@ -20,6 +20,7 @@
 #include "bessemer_target.h"
 #include "geometry.h"
 #include "height.h"
+#include "pair_f64_f64.h"
 #include "parameters.h"
 #include "sine.h"
 
@@ -80,10 +81,10 @@ void printed_lean(const parameters_t *parameters, const target_t *target,
     };
     const double along = damped_respond(&parameters->x, error[0], error_rate[0]);
     const double across = damped_respond(&parameters->y, error[1], error_rate[1]);
-    const double sine = sine_sin(target->yaw);
-    const double cosine = sine_cos(target->yaw);
-    const double roll = along * sine - across * cosine;
-    const double pitch = along * cosine + across * sine;
+    pair_f64_f64_t pair;
+    sine_sin_cos(target->yaw, &pair);
+    const double roll = along * pair.first - across * pair.second;
+    const double pitch = along * pair.second + across * pair.first;
     result[0] = roll;
     result[1] = pitch;
     result[2] = target->yaw;

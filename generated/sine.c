@@ -143,6 +143,8 @@ static const double TINY = 0x1p-27;
 /** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
 static const double TO_INTEGER = 0x1.8p52;
 
+static double sine_of_reduced(const reduced_angle_t *angle, uint64_t quarter_turns);
+
 /** `value`, negated if `row` is in the second half of a turn; a turn has 128 rows. */
 static inline double sine_signed(double value, uint64_t row)
 {
@@ -190,6 +192,25 @@ static inline double sine_turned(double x, uint64_t quarter_turns)
     }
 }
 
+/** Sine of a reduced angle + `quarter_turns` · π/2. */
+static double sine_of_reduced(const reduced_angle_t *angle, uint64_t quarter_turns)
+{
+    const uint64_t quadrant = angle->quadrant + quarter_turns;
+    if ((quadrant & UINT64_C(1)) == UINT64_C(0) && fabs(angle->high) < NEAR_ZERO) {
+        const double value = sine_near_zero(angle->high, angle->low);
+        if ((quadrant & UINT64_C(2)) == UINT64_C(0)) {
+            return value;
+        } else {
+            return -value;
+        }
+    } else {
+        const double shifted = angle->high * STEPS_PER_RADIAN + TO_INTEGER;
+        const double steps = shifted - TO_INTEGER;
+        const double rest = angle->high - steps * STEP_HIGH - steps * STEP_LOW + angle->low;
+        return sine_from_row(raw_bits_of_f64(shifted) + (quadrant << 5), rest);
+    }
+}
+
 double sine_by_reduction(double x, uint64_t quarter_turns)
 {
     if (fabs(x) < TINY) {
@@ -202,27 +223,9 @@ double sine_by_reduction(double x, uint64_t quarter_turns)
     if (quarter_turns == UINT64_C(0) && fabs(x) < NEAR_ZERO) {
         return sine_near_zero(x, 0.0);
     }
-    reduced_angle_t angle;
-    reduction_reduce(x, &angle);
-    const uint64_t quadrant = angle.quadrant + quarter_turns;
-    if ((quadrant & UINT64_C(1)) == UINT64_C(0) && fabs(angle.high) < NEAR_ZERO) {
-        const double value = sine_near_zero(angle.high, angle.low);
-        if ((quadrant & UINT64_C(2)) == UINT64_C(0)) {
-            return value;
-        } else {
-            return -value;
-        }
-    } else {
-        const double shifted = angle.high * STEPS_PER_RADIAN + TO_INTEGER;
-        const double steps = shifted - TO_INTEGER;
-        const double rest = angle.high - steps * STEP_HIGH - steps * STEP_LOW + angle.low;
-        return sine_from_row(raw_bits_of_f64(shifted) + (quadrant << 5), rest);
-    }
-}
-
-double sine_sin(double x)
-{
-    return sine_turned(x, UINT64_C(0));
+    reduced_angle_t result_angle;
+    reduction_reduce(x, &result_angle);
+    return sine_of_reduced(&result_angle, quarter_turns);
 }
 
 double sine_cos(double x)
@@ -232,17 +235,30 @@ double sine_cos(double x)
 
 void sine_sin_cos(double x, pair_f64_f64_t *result)
 {
-    const double shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
-    const uint64_t row = raw_bits_of_f64(shifted);
-
-    /* Next to a multiple of π/2 one of them is small. */
-    if (fabs(x) < MODERATE && ((row + UINT64_C(5)) & UINT64_C(0x1F)) > UINT64_C(10)) {
+    if (fabs(x) < MODERATE) {
+        const double shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
         const double steps = shifted - TO_INTEGER;
         const double rest = x - steps * STEP_HIGH - steps * STEP_LOW;
-        result->first = sine_from_row(row, rest);
-        result->second = sine_from_row(row + UINT64_C(32), rest);
+        const uint64_t row = raw_bits_of_f64(shifted);
+
+        /* Next to a multiple of π/2 one of them is small. */
+        const uint64_t place = (row + UINT64_C(5)) & UINT64_C(0x3F);
+        if ((place & UINT64_C(0x1F)) > UINT64_C(10)) {
+            result->first = sine_from_row(row, rest);
+            result->second = sine_from_row(row + UINT64_C(32), rest);
+        } else if (place > UINT64_C(10)) {
+            result->first = sine_from_row(row, rest);
+            result->second = sine_by_reduction(x, UINT64_C(1));
+        } else {
+            result->first = sine_by_reduction(x, UINT64_C(0));
+            result->second = sine_from_row(row + UINT64_C(32), rest);
+        }
     } else {
-        result->first = sine_sin(x);
-        result->second = sine_cos(x);
+        reduced_angle_t angle;
+        reduction_reduce(x, &angle);
+        const double result_first = sine_of_reduced(&angle, UINT64_C(0));
+        const double result_second = sine_of_reduced(&angle, UINT64_C(1));
+        result->first = result_first;
+        result->second = result_second;
     }
 }

@@ -29,12 +29,6 @@ extern "C" {
 double sine_by_reduction(double x, uint64_t quarter_turns);
 
 /**
- * Sine of an angle in rad, however large; measured within 0.65 ulp. ±0 gives ±0; ±∞ and NaN give
- * NaN.
- */
-double sine_sin(double x);
-
-/**
  * Cosine of an angle in rad, however large; measured within 0.66 ulp. ±0 gives 1; ±∞ and NaN give
  * NaN.
  */

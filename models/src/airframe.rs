@@ -146,10 +146,10 @@ impl Airframe {
         let spins = self.spins();
         let mut effect = SMatrix::zeros();
         for n in 0..MAX_MOTORS {
-            let angle = arm_angle(self.layout, self.motors, n);
+            let (sine, cosine) = arm_angle(self.layout, self.motors, n).sin_cos();
             effect[(0, n)] = thrust[n];
-            effect[(1, n)] = thrust[n] * self.arm * angle.sin();
-            effect[(2, n)] = -thrust[n] * self.arm * angle.cos();
+            effect[(1, n)] = thrust[n] * self.arm * sine;
+            effect[(2, n)] = -thrust[n] * self.arm * cosine;
             effect[(3, n)] = spins[n] * drag[n];
         }
         effect
@@ -170,11 +170,11 @@ impl Airframe {
         let mut share = SMatrix::zeros();
         for n in 0..MAX_MOTORS {
             if thrust[n] > 0.0 && drag[n] > 0.0 {
-                let angle = arm_angle(self.layout, self.motors, n);
+                let (sine, cosine) = arm_angle(self.layout, self.motors, n).sin_cos();
                 let leverage = 2.0 / (count * thrust[n] * self.arm);
                 share[(n, 0)] = 1.0 / (count * thrust[n]);
-                share[(n, 1)] = leverage * angle.sin();
-                share[(n, 2)] = -leverage * angle.cos();
+                share[(n, 1)] = leverage * sine;
+                share[(n, 2)] = -leverage * cosine;
                 share[(n, 3)] = spins[n] / (count * drag[n]);
             }
         }

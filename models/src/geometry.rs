@@ -33,14 +33,10 @@ pub struct Orientation {
 impl Orientation {
     /// Returns the orientation for roll, pitch and yaw, rad.
     pub fn of(angles: &Vector3<f64>) -> Orientation {
-        Orientation {
-            s1: angles.x.sin(),
-            c1: angles.x.cos(),
-            s2: angles.y.sin(),
-            c2: angles.y.cos(),
-            s3: angles.z.sin(),
-            c3: angles.z.cos(),
-        }
+        let (s1, c1) = angles.x.sin_cos();
+        let (s2, c2) = angles.y.sin_cos();
+        let (s3, c3) = angles.z.sin_cos();
+        Orientation { s1, c1, s2, c2, s3, c3 }
     }
 
     /// Rotation from the body frame to the inertial frame: R = C1(roll) C2(pitch) C3(yaw) (thesis, eq. (2.11)).

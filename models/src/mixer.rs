@@ -125,7 +125,7 @@ fn share(base: &SVector<f64, MAX_MOTORS>, more: &SVector<f64, MAX_MOTORS>, large
     let mut share = 1.0;
     for i in 0..MAX_MOTORS {
         for j in 0..i {
-            // Of the two, the first is the one that `more` speeds up most.
+            // The order of the two motors is the one with a positive difference.
             let mut difference = more[i] - more[j];
             let mut distance = base[i] - base[j];
             if difference < 0.0 {

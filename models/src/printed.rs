@@ -54,8 +54,7 @@ pub fn lean(parameters: &Parameters, target: &Target, estimate: &Estimate) -> Ve
     let error_rate = target.velocity - estimate.velocity;
     let along = parameters.x.respond(error.x, error_rate.x);
     let across = parameters.y.respond(error.y, error_rate.y);
-    let sine = target.yaw.sin();
-    let cosine = target.yaw.cos();
+    let (sine, cosine) = target.yaw.sin_cos();
     let roll = along * sine - across * cosine;
     let pitch = along * cosine + across * sine;
     Vector3::new(roll, pitch, target.yaw)
