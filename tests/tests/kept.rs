@@ -8,7 +8,7 @@ use bessemer_tests::harness::{self, GOES_ON, KEEPS, RESTARTS, RETURNS};
 use bessemer_tests::pilot::entry;
 use bessemer_tests::process::{Folder, lay_out};
 use bessemer_tests::running::Running;
-use bessemer_tests::toolchain::{self, ARM};
+use bessemer_tests::toolchain::{self, ARM, CORTEX_M4F, Toolchain};
 use bessemer_tests::watch::{self, watched};
 use bessemer_tests::workspace::Workspace;
 
@@ -40,19 +40,25 @@ impl Total {
 }
 ";
 
-/// Counts calls of the model, each with its flag and its argument.
-fn with_counts(check: impl FnOnce(&Folder, &Path)) {
-    if !ARM.programs().into_iter().all(toolchain::is_asked_for) {
-        return;
+/// Builds the program for each target that is there: below Linux, and without an operating system.
+fn with_counts(check: impl Fn(&Toolchain, &Folder, &Path)) {
+    for toolchain in [ARM, CORTEX_M4F] {
+        if toolchain.programs().into_iter().all(toolchain::is_asked_for) {
+            on(&toolchain, &check);
+        }
     }
+}
+
+fn on(toolchain: &Toolchain, check: impl Fn(&Toolchain, &Folder, &Path)) {
     let workspace = Workspace::with_source(MODEL).expect("a workspace");
     let compiled = workspace.compiled().unwrap_or_else(|said| panic!("{said}"));
     let step = entry(&compiled, "Total", "step").expect("an entry point");
     let folder = lay_out(&compiled).expect("a folder");
     let main = folder.path().join("main.c");
-    let text = harness::counted(&compiled.explicit, &[(step, 2)], &Options::default(), false);
+    let text =
+        harness::counted(&compiled.explicit, &[(step, 2)], &Options::default(), toolchain.bare);
     std::fs::write(&main, text).expect("the program");
-    check(&folder, &main);
+    check(toolchain, &folder, &main);
 }
 
 fn input(calls: &[(u64, u64)]) -> Vec<u8> {
@@ -62,9 +68,9 @@ fn input(calls: &[(u64, u64)]) -> Vec<u8> {
 
 #[test]
 fn a_call_that_returns_to_a_state_takes_as_long_as_one_from_it() {
-    with_counts(|folder, main| {
+    with_counts(|toolchain, folder, main| {
         let counted = |calls: &[(u64, u64)]| {
-            let watched = watched(&ARM, folder.path(), main, folder.sources(), &input(calls));
+            let watched = watched(toolchain, folder.path(), main, folder.sources(), &input(calls));
             watched.unwrap_or_else(|said| panic!("{said}")).counts
         };
         let whole = |more: u64| {
@@ -84,22 +90,26 @@ const FROM_ONE: [(u64, u64); 6] =
 /// The state stays from one batch of calls to the next, and a program that ends is an error.
 #[test]
 fn a_program_that_goes_on_running_counts_as_one_run_does() {
-    with_counts(|folder, main| {
-        let watched = watched(&ARM, folder.path(), main, folder.sources(), &input(&FROM_ONE));
+    with_counts(|toolchain, folder, main| {
+        let watched = watched(toolchain, folder.path(), main, folder.sources(), &input(&FROM_ONE));
         let whole = watched.unwrap_or_else(|said| panic!("{said}")).counts;
         let own = folder.path().join(watch::FOLDER);
-        let mut running =
-            Running::start(&ARM, &own, &own.join("main")).unwrap_or_else(|said| panic!("{said}"));
+        let mut running = Running::start(toolchain, &own, &own.join("main"))
+            .unwrap_or_else(|said| panic!("{said}"));
         let mut counts = Vec::new();
         for calls in FROM_ONE.chunks(2) {
             let some = running.count(input(calls), calls.len());
             counts.extend(some.unwrap_or_else(|said| panic!("{said}")));
         }
         assert_eq!(counts, whole);
+        // More than a pipe holds at once.
+        let many = FROM_ONE.repeat(1000);
+        let counts = running.count(input(&many), many.len());
+        assert_eq!(counts.unwrap_or_else(|said| panic!("{said}")), whole.repeat(1000));
         let main = folder.path().join("ends.c");
         std::fs::write(&main, "int main(void)\n{\n    return 3;\n}\n").expect("a program");
-        let program = watch::built(&ARM, folder.path(), &main, &[], &[]).expect("it compiles");
-        let mut running = Running::start(&ARM, &own, &program).expect("it starts");
+        let program = watch::built(toolchain, folder.path(), &main, &[], &[]).expect("it compiles");
+        let mut running = Running::start(toolchain, &own, &program).expect("it starts");
         let said = running.count(input(&FROM_ONE), 6).expect_err("it reads no calls");
         assert!(said.contains("exit status: 3"), "{said}");
     });

@@ -100,7 +100,7 @@ impl Peaks {
         let own = self.0.concat();
         let longest = own.iter().map(|it| it.instructions).max().unwrap_or_default();
         let others = others.into_iter().flat_map(|it| it.0.concat());
-        // What is no longer than the longest call with these numbers is no gain.
+        // A call helps if it is longer than the longest one with these numbers.
         let others = others.map(|it| Peak { instructions: longest.max(1), ..it });
         own.iter().cloned().chain(others).collect()
     }

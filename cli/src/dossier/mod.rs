@@ -190,7 +190,7 @@ pub fn run(folder: &Path, wanted: &Dossier, colour: bool) -> Result<(String, boo
         let calls = known::Known::of(search, own.tests.as_ref(), wanted.fill);
         let targets = checks::targets();
         let (project, compiled, calls) = (&project, &compiled, &calls);
-        // None of them uses all processors the whole time.
+        // Each of them leaves a processor idle at times.
         let (others, found) = std::thread::scope(|scope| {
             let others = scope.spawn(|| {
                 say("running the calls with sanitizers");

@@ -113,7 +113,7 @@ impl Counter {
 
     /// Counts the calls of some rows, each from the initial state. Returns the longest calls of the last life of each.
     ///
-    /// Those with normal numbers are known where a call is longer than three quarters of the longest one so far.
+    /// A call with normal numbers is looked for only if it is longer than three quarters of the longest one so far.
     ///
     /// # Errors
     /// The message of the emulator or the system.
