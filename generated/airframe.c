@@ -109,11 +109,11 @@ void airframe_effectiveness(const airframe_t *self,
     double spins[AIRFRAME_MAX_MOTORS];
     airframe_spins(self, spins);
     for (uint32_t n = 0U; n < AIRFRAME_MAX_MOTORS; n++) {
-        pair_f64_f64_t pair;
-        sine_sin_cos(airframe_arm_angle(self->layout, self->motors, n), &pair);
+        pair_f64_f64_t sine_cosine;
+        sine_sin_cos(airframe_arm_angle(self->layout, self->motors, n), &sine_cosine);
         effect[0U + 4U * n] = thrust[n];
-        effect[1U + 4U * n] = thrust[n] * self->arm * pair.first;
-        effect[2U + 4U * n] = -thrust[n] * self->arm * pair.second;
+        effect[1U + 4U * n] = thrust[n] * self->arm * sine_cosine.first;
+        effect[2U + 4U * n] = -thrust[n] * self->arm * sine_cosine.second;
         effect[3U + 4U * n] = spins[n] * drag[n];
     }
 }
@@ -133,12 +133,12 @@ void airframe_allocation(const airframe_t *self,
     }
     for (uint32_t n = 0U; n < AIRFRAME_MAX_MOTORS; n++) {
         if (thrust[n] > 0.0 && drag[n] > 0.0) {
-            pair_f64_f64_t pair;
-            sine_sin_cos(airframe_arm_angle(self->layout, self->motors, n), &pair);
+            pair_f64_f64_t sine_cosine;
+            sine_sin_cos(airframe_arm_angle(self->layout, self->motors, n), &sine_cosine);
             const double leverage = 2.0 / (count * thrust[n] * self->arm);
             share[n + 8U * 0U] = 1.0 / (count * thrust[n]);
-            share[n + 8U * 1U] = leverage * pair.first;
-            share[n + 8U * 2U] = -leverage * pair.second;
+            share[n + 8U * 1U] = leverage * sine_cosine.first;
+            share[n + 8U * 2U] = -leverage * sine_cosine.second;
             share[n + 8U * 3U] = spins[n] / (count * drag[n]);
         }
     }

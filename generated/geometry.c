@@ -27,18 +27,18 @@ static const double PI = 3.141592653589793;
 
 void orientation_of(const double angles[3], orientation_t *BESSEMER_RESTRICT orientation)
 {
-    pair_f64_f64_t pair;
-    sine_sin_cos(angles[0], &pair);
-    pair_f64_f64_t pair_2;
-    sine_sin_cos(angles[1], &pair_2);
-    pair_f64_f64_t pair_3;
-    sine_sin_cos(angles[2], &pair_3);
-    orientation->s1 = pair.first;
-    orientation->c1 = pair.second;
-    orientation->s2 = pair_2.first;
-    orientation->c2 = pair_2.second;
-    orientation->s3 = pair_3.first;
-    orientation->c3 = pair_3.second;
+    pair_f64_f64_t s1_c1;
+    sine_sin_cos(angles[0], &s1_c1);
+    pair_f64_f64_t s2_c2;
+    sine_sin_cos(angles[1], &s2_c2);
+    pair_f64_f64_t s3_c3;
+    sine_sin_cos(angles[2], &s3_c3);
+    orientation->s1 = s1_c1.first;
+    orientation->c1 = s1_c1.second;
+    orientation->s2 = s2_c2.first;
+    orientation->c2 = s2_c2.second;
+    orientation->s3 = s3_c3.first;
+    orientation->c3 = s3_c3.second;
 }
 
 void orientation_rotation(const orientation_t *self, double result[BESSEMER_RESTRICT 9])

@@ -81,10 +81,10 @@ void printed_lean(const parameters_t *parameters, const target_t *target,
     };
     const double along = damped_respond(&parameters->x, error[0], error_rate[0]);
     const double across = damped_respond(&parameters->y, error[1], error_rate[1]);
-    pair_f64_f64_t pair;
-    sine_sin_cos(target->yaw, &pair);
-    const double roll = along * pair.first - across * pair.second;
-    const double pitch = along * pair.second + across * pair.first;
+    pair_f64_f64_t sine_cosine;
+    sine_sin_cos(target->yaw, &sine_cosine);
+    const double roll = along * sine_cosine.first - across * sine_cosine.second;
+    const double pitch = along * sine_cosine.second + across * sine_cosine.first;
     result[0] = roll;
     result[1] = pitch;
     result[2] = target->yaw;

@@ -70,7 +70,7 @@ impl Lowering<'_, '_> {
         let before = self.locals.len();
         let mut subject = self.value_subject(value);
         if let Some(name) = arms.iter().find_map(|arm| taken_name(&arm.pattern)) {
-            self.name_held(&subject, before, name);
+            self.name_held(&subject, before, &name);
         }
         if let Value::Place(place) = &mut subject
             && place.ty.is_word()

@@ -5,6 +5,8 @@
 //!
 //! Must not know: how patterns test it ([`pattern`](super::pattern)).
 
+use std::borrow::Cow;
+
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern};
 use bessemer_ir::{Expr, Place, Type};
 
@@ -58,7 +60,7 @@ impl Lowering<'_, '_> {
     pub(super) fn subject_of(&mut self, pattern: &Pattern, expr: &tree::Expr) -> Result<Value> {
         let before = self.locals.len();
         let subject = self.subject(expr)?;
-        taken_name(pattern).into_iter().for_each(|name| self.name_held(&subject, before, name));
+        taken_name(pattern).into_iter().for_each(|name| self.name_held(&subject, before, &name));
         Ok(subject)
     }
 
@@ -125,14 +127,28 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Returns the only name of `Some(name)`, or the name of the whole, if it is immutable.
-pub(super) fn taken_name(pattern: &Pattern) -> Option<&str> {
+/// Longest name of a pair after its parts.
+const LONGEST: usize = 24;
+
+/// Returns the only name of `Some(name)`, the name of the whole, or the names of a pair's parts, if they are immutable.
+pub(super) fn taken_name(pattern: &Pattern) -> Option<Cow<'_, str>> {
+    let part = |pattern| match pattern {
+        &Pattern::Name { ref name, mutable: false, inner: None, .. } => Some(name.as_str()),
+        _ => None,
+    };
     match pattern {
         Pattern::Constructor(_, parts) => match parts.as_slice() {
-            [Pattern::Name { name, mutable: false, inner: None, .. }] => Some(name),
+            [only] => part(only).map(Cow::Borrowed),
             _ => None,
         },
-        Pattern::Name { name, mutable: false, .. } => Some(name),
+        Pattern::Tuple(parts) => match parts.as_slice() {
+            [first, second] => {
+                let both = format!("{}_{}", part(first)?, part(second)?);
+                (both.len() <= LONGEST).then_some(Cow::Owned(both))
+            }
+            _ => None,
+        },
+        Pattern::Name { name, mutable: false, .. } => Some(Cow::Borrowed(name)),
         Pattern::Or(cases) => cases.first().and_then(taken_name),
         _ => None,
     }

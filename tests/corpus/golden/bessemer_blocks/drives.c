@@ -259,10 +259,10 @@ float flux_observer_f32_angle(const flux_observer_f32_t *self)
 void flux_observer_f32_preset(flux_observer_f32_t *BESSEMER_RESTRICT self,
     const flux_parameters_f32_t *motor, float angle)
 {
-    pair_f32_f32_t pair;
-    math_single_sin_cosf(angle, &pair);
-    self->magnet.alpha = motor->flux * pair.second;
-    self->magnet.beta = motor->flux * pair.first;
+    pair_f32_f32_t sine_cosine;
+    math_single_sin_cosf(angle, &sine_cosine);
+    self->magnet.alpha = motor->flux * sine_cosine.second;
+    self->magnet.beta = motor->flux * sine_cosine.first;
     self->flux = self->magnet;
 }
 
@@ -384,9 +384,9 @@ void pll_f32_init(pll_f32_t *self)
 float pll_f32_step(pll_f32_t *BESSEMER_RESTRICT self, const pll_gains_f32_t *gains,
     const stator_f32_t *vector)
 {
-    pair_f32_f32_t pair;
-    math_single_sin_cosf(self->angle, &pair);
-    const float error = vector->beta * pair.second - vector->alpha * pair.first;
+    pair_f32_f32_t sine_cosine;
+    math_single_sin_cosf(self->angle, &sine_cosine);
+    const float error = vector->beta * sine_cosine.second - vector->alpha * sine_cosine.first;
     float error_2;
     if (isfinite(error) != 0) {
         error_2 = error;
@@ -445,9 +445,9 @@ void pll_f64_init(pll_f64_t *self)
 double pll_f64_step(pll_f64_t *BESSEMER_RESTRICT self, const pll_gains_f64_t *gains,
     const stator_f64_t *vector)
 {
-    pair_f64_f64_t pair;
-    sine_sin_cos(self->angle, &pair);
-    const double error = vector->beta * pair.second - vector->alpha * pair.first;
+    pair_f64_f64_t sine_cosine;
+    sine_sin_cos(self->angle, &sine_cosine);
+    const double error = vector->beta * sine_cosine.second - vector->alpha * sine_cosine.first;
     double error_2;
     if (isfinite(error) != 0) {
         error_2 = error;

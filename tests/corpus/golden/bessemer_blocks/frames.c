@@ -10,16 +10,17 @@ static const uint32_t STEPS = 3U;
 void frames_ecef_from_geodetic_f64(const geodetic_f64_t *position,
     double result[BESSEMER_RESTRICT 3])
 {
+    pair_f64_f64_t sine_cosine;
+    sine_sin_cos(position->latitude, &sine_cosine);
     pair_f64_f64_t pair;
-    sine_sin_cos(position->latitude, &pair);
-    pair_f64_f64_t longitude_pair;
-    sine_sin_cos(position->longitude, &longitude_pair);
+    sine_sin_cos(position->longitude, &pair);
     const double eccentricity = ECCENTRICITY_SQUARED;
-    const double normal = SEMI_MAJOR_AXIS / sqrt(1.0 - eccentricity * pair.first * pair.first);
-    const double across = (normal + position->height) * pair.second;
-    result[0] = across * longitude_pair.second;
-    result[1] = across * longitude_pair.first;
-    result[2] = (normal * (1.0 - eccentricity) + position->height) * pair.first;
+    const double normal = SEMI_MAJOR_AXIS
+        / sqrt(1.0 - eccentricity * sine_cosine.first * sine_cosine.first);
+    const double across = (normal + position->height) * sine_cosine.second;
+    result[0] = across * pair.second;
+    result[1] = across * pair.first;
+    result[2] = (normal * (1.0 - eccentricity) + position->height) * sine_cosine.first;
 }
 
 void frames_geodetic_from_ecef_f64(const double position[3],
@@ -59,36 +60,36 @@ void frames_geodetic_from_ecef_f64(const double position[3],
 
 void frames_enu_rotation_f32(const geodetic_f32_t *origin, float result[BESSEMER_RESTRICT 9])
 {
-    pair_f32_f32_t pair;
-    math_single_sin_cosf(origin->latitude, &pair);
-    pair_f32_f32_t longitude_pair;
-    math_single_sin_cosf(origin->longitude, &longitude_pair);
-    result[0 + 3 * 0] = -longitude_pair.first;
-    result[1 + 3 * 0] = -pair.first * longitude_pair.second;
-    result[2 + 3 * 0] = pair.second * longitude_pair.second;
-    result[0 + 3 * 1] = longitude_pair.second;
-    result[1 + 3 * 1] = -pair.first * longitude_pair.first;
-    result[2 + 3 * 1] = pair.second * longitude_pair.first;
+    pair_f32_f32_t s_c;
+    math_single_sin_cosf(origin->latitude, &s_c);
+    pair_f32_f32_t sl_cl;
+    math_single_sin_cosf(origin->longitude, &sl_cl);
+    result[0 + 3 * 0] = -sl_cl.first;
+    result[1 + 3 * 0] = -s_c.first * sl_cl.second;
+    result[2 + 3 * 0] = s_c.second * sl_cl.second;
+    result[0 + 3 * 1] = sl_cl.second;
+    result[1 + 3 * 1] = -s_c.first * sl_cl.first;
+    result[2 + 3 * 1] = s_c.second * sl_cl.first;
     result[0 + 3 * 2] = 0.0F;
-    result[1 + 3 * 2] = pair.second;
-    result[2 + 3 * 2] = pair.first;
+    result[1 + 3 * 2] = s_c.second;
+    result[2 + 3 * 2] = s_c.first;
 }
 
 void frames_enu_rotation_f64(const geodetic_f64_t *origin, double result[BESSEMER_RESTRICT 9])
 {
-    pair_f64_f64_t pair;
-    sine_sin_cos(origin->latitude, &pair);
-    pair_f64_f64_t longitude_pair;
-    sine_sin_cos(origin->longitude, &longitude_pair);
-    result[0 + 3 * 0] = -longitude_pair.first;
-    result[1 + 3 * 0] = -pair.first * longitude_pair.second;
-    result[2 + 3 * 0] = pair.second * longitude_pair.second;
-    result[0 + 3 * 1] = longitude_pair.second;
-    result[1 + 3 * 1] = -pair.first * longitude_pair.first;
-    result[2 + 3 * 1] = pair.second * longitude_pair.first;
+    pair_f64_f64_t s_c;
+    sine_sin_cos(origin->latitude, &s_c);
+    pair_f64_f64_t sl_cl;
+    sine_sin_cos(origin->longitude, &sl_cl);
+    result[0 + 3 * 0] = -sl_cl.first;
+    result[1 + 3 * 0] = -s_c.first * sl_cl.second;
+    result[2 + 3 * 0] = s_c.second * sl_cl.second;
+    result[0 + 3 * 1] = sl_cl.second;
+    result[1 + 3 * 1] = -s_c.first * sl_cl.first;
+    result[2 + 3 * 1] = s_c.second * sl_cl.first;
     result[0 + 3 * 2] = 0.0;
-    result[1 + 3 * 2] = pair.second;
-    result[2 + 3 * 2] = pair.first;
+    result[1 + 3 * 2] = s_c.second;
+    result[2 + 3 * 2] = s_c.first;
 }
 
 void frames_enu_from_ecef_f64(const geodetic_f64_t *origin, const double point[3],

@@ -68,12 +68,12 @@ void active_set_f64_8_16_12_step(active_set_f64_8_16_12_t *BESSEMER_RESTRICT sel
         for (uint32_t i = 0U; i < 8U; i++) {
             direction[i] = direction_equations_16[i] - self->working.multipliers[i];
         }
-        pair_usize_f64_t pair;
+        pair_usize_f64_t leaving_share;
         working_set_f64_8_first_leaving_16(&self->working, direction, 1.0, 0.0, low_2, high_2,
-            &pair);
-        working_set_f64_8_advance(&self->working, direction, pair.second);
-        if (pair.first < UINT64_C(8)) {
-            working_set_f64_8_remove_16(&self->working, program->rows, pair.first);
+            &leaving_share);
+        working_set_f64_8_advance(&self->working, direction, leaving_share.second);
+        if (leaving_share.first < UINT64_C(8)) {
+            working_set_f64_8_remove_16(&self->working, program->rows, leaving_share.first);
             continue;
         }
         working_set_f64_8_minimum_16(&self->working, program->rows, point);
@@ -154,15 +154,15 @@ static bool active_set_f64_8_16_12_enter(active_set_f64_8_16_12_t *BESSEMER_REST
 
         /* A direction of rounding errors would exchange a row on which this one does not depend. */
         const double small = DBL_EPSILON * 1024.0;
-        pair_usize_f64_t pair;
+        pair_usize_f64_t leaving_share;
         working_set_f64_8_first_leaving_16(&self->working, direction, (double)INFINITY, small, low,
-            high, &pair);
-        if (pair.first == UINT64_C(8)) {
+            high, &leaving_share);
+        if (leaving_share.first == UINT64_C(8)) {
             return false;
         }
-        working_set_f64_8_advance(&self->working, direction, pair.second);
-        multiplier = pair.second;
-        working_set_f64_8_remove_16(&self->working, program->rows, pair.first);
+        working_set_f64_8_advance(&self->working, direction, leaving_share.second);
+        multiplier = leaving_share.second;
+        working_set_f64_8_remove_16(&self->working, program->rows, leaving_share.first);
         const uint32_t count_2 = (uint32_t)min_u64((uint64_t)self->working.count, UINT64_C(8));
         working_set_f64_8_reach_16(&self->working, program->rows, count_2, row, sign, &reach);
     }

@@ -107,11 +107,12 @@ static const double PERIOD = 0.05;
 void balancing_swung(const double state[4], const double push[1],
     double result[BESSEMER_RESTRICT 4])
 {
-    pair_f64_f64_t pair;
-    sine_sin_cos(state[1], &pair);
+    pair_f64_f64_t sine_cosine;
+    sine_sin_cos(state[1], &sine_cosine);
 
     /* A rod of 0.5 m with its mass at the end. */
-    const double turn = (9.81 * pair.first - push[0] * pair.second) / 0.5 - 0.1 * state[3];
+    const double turn = (9.81 * sine_cosine.first - push[0] * sine_cosine.second) / 0.5
+        - 0.1 * state[3];
     const double speed = state[2] + PERIOD * push[0];
     const double rate = state[3] + PERIOD * turn;
     result[0] = state[0] + PERIOD * speed;

@@ -4,15 +4,16 @@
 
 void driving_frames(double direct, double quadrature, double angle, pair_f64x3_rotor_f64_t *result)
 {
-    pair_f64_f64_t pair;
-    sine_sin_cos(angle, &pair);
+    pair_f64_f64_t sine_cosine;
+    sine_sin_cos(angle, &sine_cosine);
     const rotor_f64_t phases_vector = {.direct = direct, .quadrature = quadrature};
     stator_f64_t phases_vector_2;
-    drives_park_inverse_f64(&phases_vector, pair.first, pair.second, &phases_vector_2);
+    drives_park_inverse_f64(&phases_vector, sine_cosine.first, sine_cosine.second,
+        &phases_vector_2);
     drives_clarke_inverse_f64(&phases_vector_2, result->first);
     stator_f64_t result_vector;
     drives_clarke_f64(result->first[0], result->first[1], &result_vector);
-    drives_park_f64(&result_vector, pair.first, pair.second, &result->second);
+    drives_park_f64(&result_vector, sine_cosine.first, sine_cosine.second, &result->second);
 }
 
 /* driving.h */
@@ -82,11 +83,11 @@ void sensorless_step(sensorless_t *BESSEMER_RESTRICT self, const drive_parameter
     flux_observer_f32_step(&self->observer, &parameters->observer, &self->voltage, &current, &flux);
     const float scale = 1.0F / parameters->observer.flux;
     const stator_f32_t unit = {.alpha = flux.alpha * scale, .beta = flux.beta * scale};
-    const float pair_x = pll_f32_step(&self->pll, &parameters->pll, &unit);
-    pair_f32_f32_t pair;
-    math_single_sin_cosf(pair_x, &pair);
+    const float sine_cosine_x = pll_f32_step(&self->pll, &parameters->pll, &unit);
+    pair_f32_f32_t sine_cosine;
+    math_single_sin_cosf(sine_cosine_x, &sine_cosine);
     rotor_f32_t is;
-    drives_park_f32(&current, pair.first, pair.second, &is);
+    drives_park_f32(&current, sine_cosine.first, sine_cosine.second, &is);
     rotor_f32_t wanted_2;
     drives_mtpa_f32(wanted, parameters->observer.flux, parameters->observer.inductance,
         parameters->quadrature_inductance, &wanted_2);
@@ -95,7 +96,7 @@ void sensorless_step(sensorless_t *BESSEMER_RESTRICT self, const drive_parameter
     const float voltage_quadrature = pid_pid_f32_step(&self->quadrature, &parameters->current,
         wanted_2.quadrature, is.quadrature);
     const rotor_f32_t voltage = {.direct = voltage_direct, .quadrature = voltage_quadrature};
-    drives_park_inverse_f32(&voltage, pair.first, pair.second, &self->voltage);
+    drives_park_inverse_f32(&voltage, sine_cosine.first, sine_cosine.second, &self->voltage);
     drives_space_vector_f32(&self->voltage, supply, duties);
 }
 

@@ -753,19 +753,19 @@ bool autopilot_compass(autopilot_t *BESSEMER_RESTRICT self, const double measure
 {
     selection_10_24_t selection;
     (void)memcpy(selection.indices, SEEN, sizeof(uint64_t[10]));
-    double pair_seen[10];
-    selection_10_24_of_f64(&selection, self->state, pair_seen);
-    pair_vector3_f64_matrix3x10_f64_t *const pair = &work->pair;
-    autopilot_magnetic_jacobian(pair_seen, pair);
+    double expected_jacobian_seen[10];
+    selection_10_24_of_f64(&selection, self->state, expected_jacobian_seen);
+    pair_vector3_f64_matrix3x10_f64_t *const expected_jacobian = &work->expected_jacobian;
+    autopilot_magnetic_jacobian(expected_jacobian_seen, expected_jacobian);
     const double innovation[3] = {
-        measured[0] - pair->first[0],
-        measured[1] - pair->first[1],
-        measured[2] - pair->first[2]
+        measured[0] - expected_jacobian->first[0],
+        measured[1] - expected_jacobian->first[1],
+        measured[2] - expected_jacobian->first[2]
     };
     const double variances[3] = {0.0025, 0.0025, 0.0025};
     correction_f64_t report;
-    symmetric_f64_24_correct_selected_10_3(&self->covariance, self->state, &selection, pair->second,
-        innovation, variances, GATE, work->numbers, &report);
+    symmetric_f64_24_correct_selected_10_3(&self->covariance, self->state, &selection,
+        expected_jacobian->second, innovation, variances, GATE, work->numbers, &report);
     return report.status == CORRECT_STATUS_CORRECTED;
 }
 
@@ -814,6 +814,6 @@ typedef struct {
 
 /** Working memory of its entry point; the contents are undefined between calls. */
 typedef struct {
-    pair_vector3_f64_matrix3x10_f64_t pair;
+    pair_vector3_f64_matrix3x10_f64_t expected_jacobian;
     double numbers[108];
 } autopilot_compass_work_t;

@@ -11,28 +11,32 @@ static void navigation_predicted(const double state[12], const inertial_t *inert
 void navigation_advanced(const double state[12], const inertial_t *inertial, double period,
     double next[BESSEMER_RESTRICT 12])
 {
-    pair_f64_f64_t pair;
-    sine_sin_cos(state[6], &pair);
-    pair_f64_f64_t pair_2;
-    sine_sin_cos(state[7], &pair_2);
-    pair_f64_f64_t pair_3;
-    sine_sin_cos(state[8], &pair_3);
+    pair_f64_f64_t sin_roll_cos_roll;
+    sine_sin_cos(state[6], &sin_roll_cos_roll);
+    pair_f64_f64_t sin_pitch_cos_pitch;
+    sine_sin_cos(state[7], &sin_pitch_cos_pitch);
+    pair_f64_f64_t sin_yaw_cos_yaw;
+    sine_sin_cos(state[8], &sin_yaw_cos_yaw);
     const double force[3] = {inertial->force[0], inertial->force[1], inertial->force[2]};
 
     /* The force in the plane of the ground, towards the heading and to its right, and down. */
-    const double lift = pair.first * force[1] + pair.second * force[2];
-    const double ahead = pair_2.second * force[0] + pair_2.first * lift;
-    const double right = pair.second * force[1] - pair.first * force[2];
-    const double down = pair_2.second * lift - pair_2.first * force[0];
+    const double lift = sin_roll_cos_roll.first * force[1] + sin_roll_cos_roll.second * force[2];
+    const double ahead = sin_pitch_cos_pitch.second * force[0] + sin_pitch_cos_pitch.first * lift;
+    const double right = sin_roll_cos_roll.second * force[1] - sin_roll_cos_roll.first * force[2];
+    const double down = sin_pitch_cos_pitch.second * lift - sin_pitch_cos_pitch.first * force[0];
     const double acceleration[3] = {
-        pair_3.second * ahead - pair_3.first * right, pair_3.first * ahead + pair_3.second * right,
-        down + GRAVITY
+        sin_yaw_cos_yaw.second * ahead - sin_yaw_cos_yaw.first * right,
+        sin_yaw_cos_yaw.first * ahead + sin_yaw_cos_yaw.second * right, down + GRAVITY
     };
     const double p = inertial->rate[0] - state[9];
     const double q = inertial->rate[1] - state[10];
     const double r = inertial->rate[2] - state[11];
-    const double turn = (pair.first * q + pair.second * r) / pair_2.second;
-    const double rates[3] = {p + pair_2.first * turn, pair.second * q - pair.first * r, turn};
+    const double turn = (sin_roll_cos_roll.first * q + sin_roll_cos_roll.second * r)
+        / sin_pitch_cos_pitch.second;
+    const double rates[3] = {
+        p + sin_pitch_cos_pitch.first * turn,
+        sin_roll_cos_roll.second * q - sin_roll_cos_roll.first * r, turn
+    };
     (void)memcpy(next, state, sizeof(double[12]));
     for (uint32_t axis = 0U; axis < 3U; axis++) {
         next[axis] += period * state[axis + 3U];

@@ -385,41 +385,42 @@ bessemer_status_t values_that_borrow_seen(const double values[6],
     pair_f64_usize_t *BESSEMER_RESTRICT result)
 {
     bessemer_status_t status;
-    pair_slice_f64_slice_f64_t pair;
-    values_that_borrow_halves(values, UINT64_C(6), &pair);
+    pair_slice_f64_slice_f64_t early_late;
+    values_that_borrow_halves(values, UINT64_C(6), &early_late);
     slice_f64_t longer;
-    if (pair.second.length == UINT64_C(0)) {
+    if (early_late.second.length == UINT64_C(0)) {
         return BESSEMER_STATUS_INDEX;
     }
-    if (pair.second.from >= UINT64_C(6)) {
+    if (early_late.second.from >= UINT64_C(6)) {
         return BESSEMER_STATUS_INDEX;
     }
-    const double longer_left = values[pair.second.from];
-    if (pair.first.length == UINT64_C(0)) {
+    const double longer_left = values[early_late.second.from];
+    if (early_late.first.length == UINT64_C(0)) {
         return BESSEMER_STATUS_INDEX;
     }
-    if (longer_left > values[pair.first.from]) {
+    if (longer_left > values[early_late.first.from]) {
         slice_f64_t slice;
-        status = values_that_borrow_above(&values[pair.second.from], pair.second.length,
-            0.5 * values[pair.second.from], &slice);
+        status = values_that_borrow_above(&values[early_late.second.from], early_late.second.length,
+            0.5 * values[early_late.second.from], &slice);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
-        if (slice.from > UINT64_MAX - pair.second.from) {
+        if (slice.from > UINT64_MAX - early_late.second.from) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        slice.from += pair.second.from;
+        slice.from += early_late.second.from;
         longer = slice;
     } else {
         slice_f64_t slice;
-        status = values_that_borrow_above(&values[pair.first.from], pair.first.length, 0.0, &slice);
+        status = values_that_borrow_above(&values[early_late.first.from], early_late.first.length,
+            0.0, &slice);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
-        slice.from += pair.first.from;
+        slice.from += early_late.first.from;
         longer = slice;
     }
-    result->first = values[pair.second.from];
+    result->first = values[early_late.second.from];
     result->second = longer.length;
     return BESSEMER_STATUS_OK;
 }

@@ -172,14 +172,14 @@ void covariances_oscillator(double frequency, double period,
     const double noise_values[2] = {0.0, 1.0};
     symmetric_f64_2_t noise;
     symmetric_f64_2_diagonal(noise_values, &noise);
-    pair_matrix2x2_f64_symmetric_f64_2_t pair;
-    continuous_discretized_2(system, &noise, period, UINT64_C(4), &pair);
-    result->first[0] = pair.first[0];
-    result->first[1] = pair.first[1];
-    result->first[2] = pair.first[2];
-    result->first[3] = pair.first[3];
-    result->second[0] = pair.second.elements[0];
-    result->second[1] = pair.second.elements[1];
-    result->second[2] = pair.second.elements[2];
-    result->second[3] = pair.second.elements[3];
+    pair_matrix2x2_f64_symmetric_f64_2_t transition_added;
+    continuous_discretized_2(system, &noise, period, UINT64_C(4), &transition_added);
+    result->first[0] = transition_added.first[0];
+    result->first[1] = transition_added.first[1];
+    result->first[2] = transition_added.first[2];
+    result->first[3] = transition_added.first[3];
+    result->second[0] = transition_added.second.elements[0];
+    result->second[1] = transition_added.second.elements[1];
+    result->second[2] = transition_added.second.elements[2];
+    result->second[3] = transition_added.second.elements[3];
 }

@@ -25,9 +25,9 @@ float small_methods_turn(const float a[2], const float b[2])
 
 void small_methods_shapes(const double a[6], pair_usize_bool_t *BESSEMER_RESTRICT result)
 {
-    pair_usize_usize_t pair;
-    parts_shape_f64_2_3(a, &pair);
-    result->first = UINT64_C(10) * pair.first + pair.second;
+    pair_usize_usize_t rows_columns;
+    parts_shape_f64_2_3(a, &rows_columns);
+    result->first = UINT64_C(10) * rows_columns.first + rows_columns.second;
     result->second = parts_is_square_f64_2_3(a);
 }
 

@@ -158,33 +158,36 @@ static void smoothing_runge_kutta_jacobian_in_swung_jacobian(const double state[
         1.0, 0.0,
         0.0, 1.0
     };
-    pair_vector2_f64_matrix2x2_f64_t law;
-    smoothing_swing_jacobian(state, &law);
-    const double law_state[2] = {state[0] + law.first[0] * half, state[1] + law.first[1] * half};
-    pair_vector2_f64_matrix2x2_f64_t law_2;
-    smoothing_swing_jacobian(law_state, &law_2);
+    pair_vector2_f64_matrix2x2_f64_t one_slope_one;
+    smoothing_swing_jacobian(state, &one_slope_one);
+    const double two_by_two_state[2] = {
+        state[0] + one_slope_one.first[0] * half,
+        state[1] + one_slope_one.first[1] * half
+    };
+    pair_vector2_f64_matrix2x2_f64_t two_by_two;
+    smoothing_swing_jacobian(two_by_two_state, &two_by_two);
     const double slope_two_sum[4] = {
-        identity[0 + 2 * 0] + law.second[0 + 2 * 0] * half,
-        identity[1 + 2 * 0] + law.second[1 + 2 * 0] * half,
-        identity[0 + 2 * 1] + law.second[0 + 2 * 1] * half,
-        identity[1 + 2 * 1] + law.second[1 + 2 * 1] * half
+        identity[0 + 2 * 0] + one_slope_one.second[0 + 2 * 0] * half,
+        identity[1 + 2 * 0] + one_slope_one.second[1 + 2 * 0] * half,
+        identity[0 + 2 * 1] + one_slope_one.second[0 + 2 * 1] * half,
+        identity[1 + 2 * 1] + one_slope_one.second[1 + 2 * 1] * half
     };
     const double slope_two[4] = {
-        law_2.second[0 + 2 * 0] * slope_two_sum[0 + 2 * 0]
-            + law_2.second[0 + 2 * 1] * slope_two_sum[1 + 2 * 0],
-        law_2.second[1 + 2 * 0] * slope_two_sum[0 + 2 * 0]
-            + law_2.second[1 + 2 * 1] * slope_two_sum[1 + 2 * 0],
-        law_2.second[0 + 2 * 0] * slope_two_sum[0 + 2 * 1]
-            + law_2.second[0 + 2 * 1] * slope_two_sum[1 + 2 * 1],
-        law_2.second[1 + 2 * 0] * slope_two_sum[0 + 2 * 1]
-            + law_2.second[1 + 2 * 1] * slope_two_sum[1 + 2 * 1]
+        two_by_two.second[0 + 2 * 0] * slope_two_sum[0 + 2 * 0]
+            + two_by_two.second[0 + 2 * 1] * slope_two_sum[1 + 2 * 0],
+        two_by_two.second[1 + 2 * 0] * slope_two_sum[0 + 2 * 0]
+            + two_by_two.second[1 + 2 * 1] * slope_two_sum[1 + 2 * 0],
+        two_by_two.second[0 + 2 * 0] * slope_two_sum[0 + 2 * 1]
+            + two_by_two.second[0 + 2 * 1] * slope_two_sum[1 + 2 * 1],
+        two_by_two.second[1 + 2 * 0] * slope_two_sum[0 + 2 * 1]
+            + two_by_two.second[1 + 2 * 1] * slope_two_sum[1 + 2 * 1]
     };
-    const double law_state_2[2] = {
-        state[0] + law_2.first[0] * half,
-        state[1] + law_2.first[1] * half
+    const double three_by_three_state[2] = {
+        state[0] + two_by_two.first[0] * half,
+        state[1] + two_by_two.first[1] * half
     };
-    pair_vector2_f64_matrix2x2_f64_t law_3;
-    smoothing_swing_jacobian(law_state_2, &law_3);
+    pair_vector2_f64_matrix2x2_f64_t three_by_three;
+    smoothing_swing_jacobian(three_by_three_state, &three_by_three);
     const double slope_three_sum[4] = {
         identity[0 + 2 * 0] + slope_two[0 + 2 * 0] * half,
         identity[1 + 2 * 0] + slope_two[1 + 2 * 0] * half,
@@ -192,21 +195,21 @@ static void smoothing_runge_kutta_jacobian_in_swung_jacobian(const double state[
         identity[1 + 2 * 1] + slope_two[1 + 2 * 1] * half
     };
     const double slope_three[4] = {
-        law_3.second[0 + 2 * 0] * slope_three_sum[0 + 2 * 0]
-            + law_3.second[0 + 2 * 1] * slope_three_sum[1 + 2 * 0],
-        law_3.second[1 + 2 * 0] * slope_three_sum[0 + 2 * 0]
-            + law_3.second[1 + 2 * 1] * slope_three_sum[1 + 2 * 0],
-        law_3.second[0 + 2 * 0] * slope_three_sum[0 + 2 * 1]
-            + law_3.second[0 + 2 * 1] * slope_three_sum[1 + 2 * 1],
-        law_3.second[1 + 2 * 0] * slope_three_sum[0 + 2 * 1]
-            + law_3.second[1 + 2 * 1] * slope_three_sum[1 + 2 * 1]
+        three_by_three.second[0 + 2 * 0] * slope_three_sum[0 + 2 * 0]
+            + three_by_three.second[0 + 2 * 1] * slope_three_sum[1 + 2 * 0],
+        three_by_three.second[1 + 2 * 0] * slope_three_sum[0 + 2 * 0]
+            + three_by_three.second[1 + 2 * 1] * slope_three_sum[1 + 2 * 0],
+        three_by_three.second[0 + 2 * 0] * slope_three_sum[0 + 2 * 1]
+            + three_by_three.second[0 + 2 * 1] * slope_three_sum[1 + 2 * 1],
+        three_by_three.second[1 + 2 * 0] * slope_three_sum[0 + 2 * 1]
+            + three_by_three.second[1 + 2 * 1] * slope_three_sum[1 + 2 * 1]
     };
-    const double law_state_3[2] = {
-        state[0] + law_3.first[0] * period,
-        state[1] + law_3.first[1] * period
+    const double four_by_four_state[2] = {
+        state[0] + three_by_three.first[0] * period,
+        state[1] + three_by_three.first[1] * period
     };
-    pair_vector2_f64_matrix2x2_f64_t law_4;
-    smoothing_swing_jacobian(law_state_3, &law_4);
+    pair_vector2_f64_matrix2x2_f64_t four_by_four;
+    smoothing_swing_jacobian(four_by_four_state, &four_by_four);
     const double slope_four_sum[4] = {
         identity[0 + 2 * 0] + slope_three[0 + 2 * 0] * period,
         identity[1 + 2 * 0] + slope_three[1 + 2 * 0] * period,
@@ -214,30 +217,30 @@ static void smoothing_runge_kutta_jacobian_in_swung_jacobian(const double state[
         identity[1 + 2 * 1] + slope_three[1 + 2 * 1] * period
     };
     const double slope_four[4] = {
-        law_4.second[0 + 2 * 0] * slope_four_sum[0 + 2 * 0]
-            + law_4.second[0 + 2 * 1] * slope_four_sum[1 + 2 * 0],
-        law_4.second[1 + 2 * 0] * slope_four_sum[0 + 2 * 0]
-            + law_4.second[1 + 2 * 1] * slope_four_sum[1 + 2 * 0],
-        law_4.second[0 + 2 * 0] * slope_four_sum[0 + 2 * 1]
-            + law_4.second[0 + 2 * 1] * slope_four_sum[1 + 2 * 1],
-        law_4.second[1 + 2 * 0] * slope_four_sum[0 + 2 * 1]
-            + law_4.second[1 + 2 * 1] * slope_four_sum[1 + 2 * 1]
+        four_by_four.second[0 + 2 * 0] * slope_four_sum[0 + 2 * 0]
+            + four_by_four.second[0 + 2 * 1] * slope_four_sum[1 + 2 * 0],
+        four_by_four.second[1 + 2 * 0] * slope_four_sum[0 + 2 * 0]
+            + four_by_four.second[1 + 2 * 1] * slope_four_sum[1 + 2 * 0],
+        four_by_four.second[0 + 2 * 0] * slope_four_sum[0 + 2 * 1]
+            + four_by_four.second[0 + 2 * 1] * slope_four_sum[1 + 2 * 1],
+        four_by_four.second[1 + 2 * 0] * slope_four_sum[0 + 2 * 1]
+            + four_by_four.second[1 + 2 * 1] * slope_four_sum[1 + 2 * 1]
     };
-    result->first[0] = state[0] + (law.first[0] + (law_2.first[0] + law_3.first[0]) * 2.0
-        + law_4.first[0]) * sixth;
-    result->first[1] = state[1] + (law.first[1] + (law_2.first[1] + law_3.first[1]) * 2.0
-        + law_4.first[1]) * sixth;
+    result->first[0] = state[0] + (one_slope_one.first[0]
+        + (two_by_two.first[0] + three_by_three.first[0]) * 2.0 + four_by_four.first[0]) * sixth;
+    result->first[1] = state[1] + (one_slope_one.first[1]
+        + (two_by_two.first[1] + three_by_three.first[1]) * 2.0 + four_by_four.first[1]) * sixth;
     result->second[0 + 2 * 0] = identity[0 + 2 * 0]
-        + (law.second[0 + 2 * 0] + (slope_two[0 + 2 * 0] + slope_three[0 + 2 * 0]) * 2.0
+        + (one_slope_one.second[0 + 2 * 0] + (slope_two[0 + 2 * 0] + slope_three[0 + 2 * 0]) * 2.0
         + slope_four[0 + 2 * 0]) * sixth;
     result->second[1 + 2 * 0] = identity[1 + 2 * 0]
-        + (law.second[1 + 2 * 0] + (slope_two[1 + 2 * 0] + slope_three[1 + 2 * 0]) * 2.0
+        + (one_slope_one.second[1 + 2 * 0] + (slope_two[1 + 2 * 0] + slope_three[1 + 2 * 0]) * 2.0
         + slope_four[1 + 2 * 0]) * sixth;
     result->second[0 + 2 * 1] = identity[0 + 2 * 1]
-        + (law.second[0 + 2 * 1] + (slope_two[0 + 2 * 1] + slope_three[0 + 2 * 1]) * 2.0
+        + (one_slope_one.second[0 + 2 * 1] + (slope_two[0 + 2 * 1] + slope_three[0 + 2 * 1]) * 2.0
         + slope_four[0 + 2 * 1]) * sixth;
     result->second[1 + 2 * 1] = identity[1 + 2 * 1]
-        + (law.second[1 + 2 * 1] + (slope_two[1 + 2 * 1] + slope_three[1 + 2 * 1]) * 2.0
+        + (one_slope_one.second[1 + 2 * 1] + (slope_two[1 + 2 * 1] + slope_three[1 + 2 * 1]) * 2.0
         + slope_four[1 + 2 * 1]) * sixth;
 }
 

@@ -511,10 +511,10 @@ void pose_vector(const pose_t *self, double vector[BESSEMER_RESTRICT 3])
 void unscented_driven(const double pose[3], double distance, double turn,
     double result[BESSEMER_RESTRICT 3])
 {
-    pair_f64_f64_t pair;
-    sine_sin_cos(pose[2] + 0.5 * turn, &pair);
-    result[0] = pose[0] + distance * pair.second;
-    result[1] = pose[1] + distance * pair.first;
+    pair_f64_f64_t sine_cosine;
+    sine_sin_cos(pose[2] + 0.5 * turn, &sine_cosine);
+    result[0] = pose[0] + distance * sine_cosine.second;
+    result[1] = pose[1] + distance * sine_cosine.first;
     result[2] = pose[2] + turn;
 }
 

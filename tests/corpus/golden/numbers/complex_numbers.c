@@ -90,10 +90,10 @@ void complex_numbers_parts(const complex_number_f64_t *z, uint32_t n,
 void complex_numbers_polar(const complex_number_f32_t *z, float share,
     complex_number_f32_t *BESSEMER_RESTRICT complex_number)
 {
-    pair_f32_f32_t pair;
-    bessemer_complex_to_polar_f32(z, &pair);
+    pair_f32_f32_t r_angle;
+    bessemer_complex_to_polar_f32(z, &r_angle);
     complex_number_f32_t turned_a;
-    bessemer_complex_from_polar_f32(pair.first * share, pair.second, &turned_a);
+    bessemer_complex_from_polar_f32(r_angle.first * share, r_angle.second, &turned_a);
     complex_number_f32_t turned_b;
     bessemer_complex_cis_f32(bessemer_complex_arg_f32(z), &turned_b);
     complex_number_f32_t turned;

@@ -4,16 +4,16 @@
 
 void sine_and_cosine_turned(double x, double y, double angle, double result[2])
 {
-    pair_f64_f64_t pair;
-    sine_sin_cos(angle, &pair);
-    result[0] = pair.second * x - pair.first * y;
-    result[1] = pair.first * x + pair.second * y;
+    pair_f64_f64_t sine_cosine;
+    sine_sin_cos(angle, &sine_cosine);
+    result[0] = sine_cosine.second * x - sine_cosine.first * y;
+    result[1] = sine_cosine.first * x + sine_cosine.second * y;
 }
 
 void sine_and_cosine_turned_f32(float x, float y, float angle, float result[2])
 {
-    pair_f32_f32_t pair;
-    math_single_sin_cosf(angle, &pair);
-    result[0] = pair.second * x - pair.first * y;
-    result[1] = pair.first * x + pair.second * y;
+    pair_f32_f32_t sine_cosine;
+    math_single_sin_cosf(angle, &sine_cosine);
+    result[0] = sine_cosine.second * x - sine_cosine.first * y;
+    result[1] = sine_cosine.first * x + sine_cosine.second * y;
 }
