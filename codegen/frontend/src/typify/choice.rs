@@ -11,7 +11,6 @@ use bessemer_ir::{
 use super::conditions::has_let;
 use super::lowering::{Lowering, Target};
 use super::pattern::Test;
-use super::rewrite::is_pure;
 use super::subject::taken_name;
 use super::syntax::alternatives;
 use super::value::Value;
@@ -115,10 +114,8 @@ impl Lowering<'_, '_> {
         // The later arms and the guard's own names must not see what a guard writes to what a part was copied from.
         // rustc refuses a guard that writes the matched place itself.
         if !is_place(scrutinee) {
-            let mut guards = arms.iter().filter_map(|arm| arm.guard.as_ref());
-            if !guards.all(is_pure) {
-                subject = self.part_held(subject, scrutinee);
-            }
+            let guards = arms.iter().filter_map(|arm| arm.guard.as_ref());
+            subject = self.beside_later(subject, scrutinee, guards);
         }
         self.arms_by_conditions(&cases, span, None, &|inner, case, last| {
             let test = inner.arm_test(case, &subject, last)?;

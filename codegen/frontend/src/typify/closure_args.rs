@@ -14,7 +14,6 @@ use bessemer_ir::{
 };
 
 use super::lowering::{Closure, Lowering, Scope, UNNAMED, Way, local_since};
-use super::rewrite::is_pure;
 use super::value::Value;
 use super::words;
 use super::{Needed, Result, names, refusals, refused};
@@ -334,10 +333,7 @@ impl<'a> Lowering<'a, '_> {
             let subject = self.argument_for(parameter, argument, &handed, (each, site))?;
             self.name_own(parameter, &subject, stays);
             // A parameter is another name of an accumulator that the body assigns.
-            subjects.push(match arguments[at + 1..].iter().all(is_pure) {
-                true => subject,
-                false => self.part_held(subject, argument),
-            });
+            subjects.push(self.beside_later(subject, argument, &arguments[at + 1..]));
         }
         self.in_scope_of(&handed, None, site, |inner| {
             inner.bind_arguments(closure, &subjects, stays)?;

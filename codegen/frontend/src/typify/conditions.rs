@@ -5,12 +5,11 @@ use bessemer_ir::tree::{
     self, BinaryOp as Op, Builtin, Callee, ExprKind as Tree, NO_SLOT, OptionMethod, Site, Ty,
 };
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, LogicOp, Place, Scalar, Span, Stmt, StmtKind, Type, UnaryOp,
+    Block, CompareOp, Expr, ExprKind, LogicOp, Scalar, Span, Stmt, StmtKind, Type, UnaryOp,
 };
 
 use super::Result;
 use super::lowering::Lowering;
-use super::order::read_later;
 use super::value::{Named, Value};
 
 /// Library functions that test an `Ordering`, and the comparison of the two values that each means.
@@ -143,27 +142,7 @@ impl Lowering<'_, '_> {
             self.out.extend(inner);
             return Ok(right);
         }
-        let mut kept = Vec::new();
-        let later = read_later(&self.lenders, &inner, names);
-        for stmt in inner {
-            let Stmt { kind: StmtKind::Let { local, value }, span, comments } = stmt else {
-                kept.push(stmt);
-                continue;
-            };
-            // Where a block is left, nothing is declared.
-            let own = self.locals.is_atom(local) && !later.contains(&local);
-            if own || self.frames.iter().any(|frame| frame.mark == Some(local)) {
-                kept.push(Stmt { kind: StmtKind::Let { local, value }, span, comments });
-                continue;
-            }
-            let ty = self.locals[local.index()].ty.clone();
-            let first = Some(self.zero(&ty, span));
-            // Whose elements the slices in it are is known from where it was lowered.
-            self.out.push(Stmt::new(StmtKind::Let { local, value: first }, span));
-            let place = Place::local(local, ty, span);
-            let assign = value.map(|value| StmtKind::Assign { place, value });
-            kept.extend(assign.map(|kind| Stmt { kind, span, comments }));
-        }
+        let kept = self.declared_first(inner, names);
         Ok(self.right_behind(LogicOp::And, left, right, kept))
     }
 }

@@ -3,15 +3,15 @@
 //! A name with a reference type is an alias of the element; a name with a value type is a local.
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Grouping, Pattern, Site, Source, Ty};
-use bessemer_ir::{Block, CompareOp, Expr, ExprKind, Place, Span, Stmt, StmtKind, Type};
+use bessemer_ir::{Block, CompareOp, Expr, Place, StmtKind, Type};
 
+use super::frames::Frame;
 use super::lengths::{least, minus, number, plus};
-use super::lowering::{Frame, Lowering};
-use super::seq::{Elements, Item, Kind, Seq, begin, ended_range};
+use super::lowering::Lowering;
+use super::seq::{Item, Kind, Seq, begin, ended_range};
 use super::value::{Slice, Value};
 use super::words;
 use super::{Result, refusals, refused};
-use bessemer_ir::effects;
 
 /// A `for` loop.
 #[derive(Clone, Copy)]
@@ -97,7 +97,7 @@ impl Lowering<'_, '_> {
                 }
                 inner.statements(body)
             })?;
-            copies = inner.copy_written(&items, &mut body, span);
+            copies = inner.own_elements(&items, &mut body, span);
             inner.counters.pop();
             Ok(StmtKind::for_way(variable, [from, end], (over, seq.down), body))
         })?;
@@ -194,7 +194,7 @@ impl Lowering<'_, '_> {
                 return refused(site, refusals::CHAINED);
             };
             // What goes through a copy of its own would see what is written.
-            if elements.owned && !self.is_lasting(&elements.slice.base) {
+            if elements.owned && self.denoted(&elements.slice.base, false).is_none() {
                 return refused(site, refusals::CHAINED);
             }
             let condition = Expr::compare(CompareOp::Lt, index.clone(), count.clone());
@@ -219,44 +219,6 @@ impl Lowering<'_, '_> {
         });
         self.out.extend(chosen.into_iter().flat_map(|(_, chosen)| chosen.0));
         Ok(place)
-    }
-
-    /// Copies arrays that a loop iterates over by value, if its body writes them, and returns the declarations of the
-    /// copies.
-    fn copy_written(&mut self, items: &[Item], body: &mut Block, span: Span) -> Vec<Stmt> {
-        let mut copies = Vec::new();
-        for item in items {
-            let Some(Kind::Elements(Elements { slice, owned })) = item.of else { continue };
-            let place = &slice.base;
-            // Elements that are references, whatever they are gone through by: those of a slice with a name.
-            let refers = |slot| matches!(self.source.slots.get(slot as usize), Some(Ty::Ref(..)));
-            let refers = matches!(item.pattern, Pattern::Name { slot, .. } if refers(*slot));
-            if !owned || refers || !effects::writes_local(body, place.root) {
-                continue;
-            }
-            let local = self.local(words::ELEMENTS, place.ty.clone(), span);
-            let mut copied = false;
-            for stmt in &mut body.0 {
-                // The declarations of the names come first, each with its part of the element.
-                if let StmtKind::Let { value: Some(value), .. } = &mut stmt.kind
-                    && let ExprKind::Load(element) = &mut value.kind
-                    && element.root == place.root
-                    && element.steps.len() > place.steps.len()
-                    && element.steps.starts_with(&place.steps)
-                    && element.span == place.span
-                {
-                    copied = true;
-                    element.root = local;
-                    element.steps.drain(..place.steps.len());
-                }
-            }
-            // Else its names are references, `for x in table.row_mut(i)`.
-            if copied {
-                let value = Some(place.load().at(span));
-                copies.push(Stmt::new(StmtKind::Let { local, value }, span));
-            }
-        }
-        copies
     }
 
     /// Returns true if the loop iterates over an `Option`.

@@ -11,6 +11,7 @@ use bessemer_ir::{
 use super::borrowed::Lenders;
 use super::context::Path;
 use super::destructure::Let;
+use super::frames::Frames;
 use super::locals::Locals;
 use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since};
 use super::names::split;
@@ -127,7 +128,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             naming: UNNAMED.into(),
             result,
             lenders: Lenders::default(),
-            frames: Vec::new(),
+            frames: Frames::default(),
             counters: Vec::new(),
             closures: Vec::new(),
             hands: HashMap::new(),

@@ -7,7 +7,8 @@ use bessemer_ir::visit::Walk;
 use bessemer_ir::{Block, Expr, Span, Stmt, StmtKind, Type};
 
 use super::Result;
-use super::lowering::{Frame, Lowering, Target};
+use super::frames::Frame;
+use super::lowering::{Lowering, Target};
 use super::marks::{Leaving, branches_mut};
 use bessemer_ir::effects;
 
@@ -34,10 +35,10 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let target = frame.target.clone();
         let mark = self.local(format!("{name}_done"), Type::BOOL, span);
-        self.frames.push(Frame { mark: Some(mark), ..frame });
+        self.frames.enter(Frame { mark: Some(mark), ..frame });
         let lowered = lower(self);
-        let marks = self.frames.iter().filter_map(|frame| frame.mark).collect();
-        self.frames.pop();
+        let marks = self.frames.marks();
+        self.frames.end();
         let lowered = lowered?;
         let flagged = effects::writes_local(&lowered, mark);
         let mut leaving = Leaving { mark, marks, flagged };

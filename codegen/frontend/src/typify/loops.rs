@@ -15,15 +15,16 @@ use crate::fuse;
 use crate::termination::{self, Loop, Proof};
 
 use super::each::Each;
+use super::frames::{Behind, Frame, Leaving};
 use super::lengths::size;
 use super::locals::Locals;
-use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
+use super::lowering::{Lowering, Target};
 use super::order::is_light;
 use super::single_pass::single_pass;
 use super::syntax::{is_named, some_of};
 use super::value::Named;
 use super::words;
-use super::{Needed, Result, marks, problem, refusals, refused};
+use super::{Needed, Result, problem, refusals, refused};
 
 /// Remedy for a loop without a proved bound.
 pub(super) const DECLARE: &str = "write `#[bound(64)]` above the loop, which makes any further pass a fault; or count: `while i < n { …; i += 1; }`";
@@ -104,7 +105,7 @@ impl Lowering<'_, '_> {
                 let shown = match popped {
                     _ if condition.is_none() => {
                         // What leaves an outer loop is looked at right behind this one.
-                        if inner.frames.last().is_some_and(|frame| frame.behind.is_empty()) {
+                        if inner.frames.ends_at_once() {
                             behind = last_breath(&inner.locals, &mut body);
                         }
                         return inner.ended_loop(site, body);
@@ -204,8 +205,7 @@ impl Lowering<'_, '_> {
 
     /// Lowers a `loop` without a declared bound. One of its `if … { break; }` must prove that it ends.
     fn ended_loop(&mut self, site: Site, body: Block) -> Result<StmtKind> {
-        let at_once = self.frames.last().is_some_and(|frame| frame.behind.is_empty());
-        if at_once && single_pass(&body.0).is_some() {
+        if self.frames.ends_at_once() && single_pass(&body.0).is_some() {
             let zero = Expr::usize(0, self.span(site));
             let proof = Proof { low: zero.clone(), high: zero, inclusive: false };
             return self.ended(site, Ok(proof), body);
@@ -296,15 +296,13 @@ impl Lowering<'_, '_> {
         span: Span,
         lower: impl FnOnce(&mut Self) -> Result<StmtKind>,
     ) -> Result<()> {
-        let depth = self.frames.len();
-        self.frames.push(Frame::of(label, target));
+        self.frames.enter(Frame::of(label, target));
         let kind = lower(self);
-        let frame = self.frames.pop();
+        let behind = self.frames.end();
         let kind = kind?;
-        let behind = frame.map(|frame| frame.behind).unwrap_or_default();
         for Behind { flag, left, .. } in &behind {
             // That of a block is declared where the block begins.
-            if self.is_outermost(*left, depth) && self.frames[*left].mark.is_none() {
+            if self.frames.declares_flag(*left) {
                 let value = Expr::bool(false, span);
                 self.emit(StmtKind::Let { local: *flag, value: Some(value) }, span);
             }
@@ -315,7 +313,7 @@ impl Lowering<'_, '_> {
         }
         for Behind { flag, left, leaving } in behind {
             // What this loop stands in ends as well, unless it is the one that goes on.
-            let kind = self.way_out(left, leaving, depth).unwrap_or(StmtKind::Break);
+            let kind = self.frames.way_out(left, leaving).unwrap_or(StmtKind::Break);
             self.emit_if(Expr::local(flag, &Type::BOOL, span), Block::of(kind, span), span);
         }
         Ok(())
@@ -373,9 +371,9 @@ impl Lowering<'_, '_> {
         outermost: usize,
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
-        self.frames.push(Frame { outermost: Some(outermost), ..Frame::of(label, None) });
+        self.frames.enter(Frame { outermost: Some(outermost), ..Frame::of(label, None) });
         let done = lower(self);
-        self.frames.pop();
+        self.frames.end();
         done
     }
 
@@ -387,7 +385,7 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         if let Some(value) = value {
-            let target = self.frames[self.depth(label, site)?].target.clone();
+            let target = self.frames.target(label, site)?;
             self.lowered(value, target.as_ref())?;
             if matches!(target, Some(Target::Return)) {
                 return Ok(());
@@ -400,9 +398,9 @@ impl Lowering<'_, '_> {
     /// function.
     pub(super) fn left_by(&self, label: Option<&str>, site: Site) -> Result<Target> {
         match label {
-            Some(_) => self.frames[self.depth(label, site)?]
-                .target
-                .clone()
+            Some(_) => self
+                .frames
+                .target(label, site)?
                 .needed(site, "this exit has a value, but its target has none"),
             None => Ok(Target::Return),
         }
@@ -416,73 +414,12 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         let span = self.span(site);
-        let mut depth = self.depth(label, site)?;
-        let named = self.frames[depth].label.clone();
-        if let Some(outermost) = self.frames[depth].outermost {
-            let innermost = self.frames[..depth].iter().rposition(|it| it.is_loop() || it.pass);
-            depth = match leaving {
-                Leaving::Break => outermost,
-                Leaving::Continue => innermost.unwrap_or(outermost),
-            };
-        }
-        if let Some(kind) = self.way_out(depth, leaving, self.frames.len()) {
+        let (left, named) = self.frames.left(label, leaving, site)?;
+        if let Some(kind) = self.frames.way_out(left, leaving) {
             self.emit(kind, span);
             return Ok(());
         }
-        let flag = self.flag((depth, named), leaving, span);
-        let place = Place::local(flag, Type::BOOL, span);
-        let value = Expr::bool(true, span);
-        self.emit(StmtKind::Assign { place, value }, span);
-        self.emit(StmtKind::Break, span);
-        Ok(())
-    }
-
-    /// Returns true if no loop is between the frame that is left and the frame at `depth`.
-    fn is_outermost(&self, left: usize, depth: usize) -> bool {
-        !self.frames[left + 1..depth].iter().any(Frame::is_loop)
-    }
-
-    /// Returns the statement that leaves the frame at `left` directly from `depth`; none if a loop is between.
-    fn way_out(&self, left: usize, leaving: Leaving, depth: usize) -> Option<StmtKind> {
-        let direct = self.is_outermost(left, depth);
-        direct.then(|| match (leaving, self.frames[left].mark) {
-            (_, Some(mark)) => marks::mark(mark),
-            (Leaving::Break, None) => StmtKind::Break,
-            (Leaving::Continue, None) => StmtKind::Continue,
-        })
-    }
-
-    /// Returns the frame of a label, or of the innermost loop. Frames of an inlined generator function are skipped,
-    /// since their labels are not visible in the author's loop body.
-    fn depth(&self, label: Option<&str>, site: Site) -> Result<usize> {
-        let is_meant = |frame: &Frame| match label {
-            None => frame.mark.is_none() || frame.pass,
-            Some(_) => frame.label.as_deref() == label,
-        };
-        let mut seen = self.frames.as_slice();
-        while let [outer @ .., innermost] = seen {
-            if is_meant(innermost) {
-                return Ok(outer.len());
-            }
-            seen = innermost.outermost.map_or(outer, |outermost| &outer[..outermost]);
-        }
-        None.needed(site, "there is no such loop here")
-    }
-
-    /// Returns the flag that leaves the loop at `depth`; each loop in between tests it.
-    fn flag(
-        &mut self,
-        (depth, named): (usize, Option<String>),
-        leaving: Leaving,
-        span: Span,
-    ) -> LocalId {
-        let inner = self.frames[depth + 1..].iter().find(|frame| frame.is_loop());
-        let behind = inner.into_iter().flat_map(|frame| &frame.behind);
-        let known = self.frames[depth].mark.or_else(|| {
-            let mut same = behind.filter(|it| it.left == depth && it.leaving == leaving);
-            same.next().map(|behind| behind.flag)
-        });
-        let flag = known.unwrap_or_else(|| {
+        let flag = self.frames.flag(left, leaving).unwrap_or_else(|| {
             let label = named.unwrap_or_else(|| words::LOOP.into());
             let role = match leaving {
                 Leaving::Break => words::DONE,
@@ -490,12 +427,12 @@ impl Lowering<'_, '_> {
             };
             self.local(format!("{label}_{role}"), Type::BOOL, span)
         });
-        for frame in &mut self.frames[depth + 1..] {
-            if frame.is_loop() && !frame.behind.iter().any(|behind| behind.flag == flag) {
-                frame.behind.push(Behind { flag, left: depth, leaving });
-            }
-        }
-        flag
+        self.frames.test_behind(left, flag, leaving);
+        let place = Place::local(flag, Type::BOOL, span);
+        let value = Expr::bool(true, span);
+        self.emit(StmtKind::Assign { place, value }, span);
+        self.emit(StmtKind::Break, span);
+        Ok(())
     }
 }
 

@@ -11,6 +11,7 @@ use bessemer_ir::{LocalId, Place, Span, Step, Stmt, Type};
 
 use super::Context;
 use super::borrowed::Lenders;
+use super::frames::Frames;
 use super::locals::Locals;
 use super::scopes::Scopes;
 use super::value::Value;
@@ -34,8 +35,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub result: Type,
     /// The lenders of the slices in locals.
     pub lenders: Lenders,
-    /// Frames around the current code, outermost first.
-    pub frames: Vec<Frame>,
+    /// Loops and blocks around the current code.
+    pub frames: Frames,
     /// Counters of the surrounding loops over elements, outermost first.
     pub counters: Vec<LocalId>,
     /// All closures, by the index that [`Value::Closure`] holds.
@@ -60,21 +61,6 @@ pub(super) enum Target {
     Place(Place),
     /// The result of the function.
     Return,
-}
-
-/// A loop or a labelled block that is being lowered, or one body for several loops.
-pub(super) struct Frame {
-    pub label: Option<String>,
-    /// Destination of the value of a `break`.
-    pub target: Option<Target>,
-    /// For a block: the local whose declaration marks an exit ([`labelled`](super::labelled)).
-    pub mark: Option<LocalId>,
-    /// For a body of several loops: the index of the outermost frame, which a `break` leaves.
-    pub outermost: Option<usize>,
-    /// True for a body that runs at most once: `break` and `continue` leave it.
-    pub pass: bool,
-    /// Flags that are tested after the loop.
-    pub behind: Vec<Behind>,
 }
 
 impl<'a> Lowering<'a, '_> {
@@ -124,34 +110,6 @@ impl<'a> Lowering<'a, '_> {
         self.closures.push(Rc::new(closure));
         self.closures.len() - 1
     }
-}
-
-impl Frame {
-    /// Returns true if the frame is a loop in the C.
-    pub(super) fn is_loop(&self) -> bool {
-        self.mark.is_none() && self.outermost.is_none()
-    }
-
-    /// Returns the frame of a loop. With a mark it becomes the frame of a block.
-    pub(super) fn of(label: Option<&str>, target: Option<&Target>) -> Frame {
-        let (label, target) = (label.map(str::to_owned), target.cloned());
-        Frame { label, target, mark: None, outermost: None, pass: false, behind: Vec::new() }
-    }
-}
-
-/// A flag that is tested after a loop.
-pub(super) struct Behind {
-    pub flag: LocalId,
-    /// Index of the frame that the flag leaves or continues.
-    pub left: usize,
-    pub leaving: Leaving,
-}
-
-/// Ways to leave a pass of a loop.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Leaving {
-    Break,
-    Continue,
 }
 
 /// A counted iterator: explicit `next` calls and loops share its position.

@@ -29,6 +29,7 @@ mod each;
 mod expand;
 mod expr;
 mod fields;
+mod frames;
 mod function;
 mod gather;
 mod generator;

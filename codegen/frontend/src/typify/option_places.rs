@@ -6,7 +6,7 @@ use bessemer_ir::{Block, Place, StmtKind};
 
 use super::borrowed::is_element;
 use super::lowering::Lowering;
-use super::rewrite::is_plain;
+use super::order::syntax::is_plain;
 use super::{Needed, Result, refusals, refused, struct_of};
 
 /// Hidden name of the place to which `option?` refers.

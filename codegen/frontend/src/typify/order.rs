@@ -4,22 +4,27 @@
 //!
 //! Invariant: the indices that lead to a place are atoms, and are checked where Rust evaluates the place.
 
+pub(super) mod syntax;
+
 use std::cell::RefCell;
 use std::collections::HashSet;
 
+use bessemer_ir::tree::{self, Ty};
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
-    CompareOp, Expr, ExprKind, Fault, Form, Intrinsic, LocalId, Module, Place, Routine, Scalar,
-    Step, Stmt, StmtKind, Type, Written,
+    Block, CompareOp, Expr, ExprKind, Fault, Form, Intrinsic, LocalId, Module, Place, Routine,
+    Scalar, Span, Step, Stmt, StmtKind, Type, Written,
 };
 
 use super::borrowed::Lenders;
 use super::lenders::Put;
 use super::lowering::{Lowering, local_since};
+use super::seq::{Elements, Item, Kind};
 use super::value::{Named, Value, indices};
 use super::{Result, words};
 use crate::fuse;
 use bessemer_ir::effects;
+use syntax::is_pure;
 
 impl Lowering<'_, '_> {
     /// Substitutes the statements before a value into it, if [`fuse`](crate::fuse) leaves none of them. Later code also uses
@@ -203,6 +208,96 @@ impl Lowering<'_, '_> {
         place.steps.push(last);
         place
     }
+
+    /// Holds the parts of a value, unless nothing that is evaluated later writes.
+    pub(super) fn beside_later<'e>(
+        &mut self,
+        value: Value,
+        expr: &tree::Expr,
+        later: impl IntoIterator<Item = &'e tree::Expr>,
+    ) -> Value {
+        match later.into_iter().all(is_pure) {
+            true => value,
+            false => self.part_held(value, expr),
+        }
+    }
+
+    /// Returns the place as the meaning of a name with a value type, if nothing writes it: it is behind `&`, or in a local
+    /// that the author has no name for. Otherwise the name needs a copy.
+    pub(super) fn denoted(&self, place: &Place, mutable: bool) -> Option<Value> {
+        let lasts = self.locals.lasts(place) && !self.cx.holds_iterator(&place.ty);
+        (lasts && !mutable).then(|| Value::Place(place.clone()))
+    }
+
+    /// Declares the locals of the right side of `&&` that `names` or a lender mention before the condition, and returns the
+    /// other statements of that side, which assign them.
+    pub(super) fn declared_first(&mut self, inner: Vec<Stmt>, names: &[Named]) -> Vec<Stmt> {
+        let mut kept = Vec::new();
+        let later = read_later(&self.lenders, &inner, names);
+        for stmt in inner {
+            let Stmt { kind: StmtKind::Let { local, value }, span, comments } = stmt else {
+                kept.push(stmt);
+                continue;
+            };
+            // Where a block is left, nothing is declared.
+            let own = self.locals.is_atom(local) && !later.contains(&local);
+            if own || self.frames.marks().contains(&local) {
+                kept.push(Stmt { kind: StmtKind::Let { local, value }, span, comments });
+                continue;
+            }
+            let ty = self.locals[local.index()].ty.clone();
+            let first = Some(self.zero(&ty, span));
+            // Whose elements the slices in it are is known from where it was lowered.
+            self.out.push(Stmt::new(StmtKind::Let { local, value: first }, span));
+            let place = Place::local(local, ty, span);
+            let assign = value.map(|value| StmtKind::Assign { place, value });
+            kept.extend(assign.map(|kind| Stmt { kind, span, comments }));
+        }
+        kept
+    }
+
+    /// Copies arrays that a loop iterates over by value, if its body writes them, and returns the declarations of the
+    /// copies.
+    pub(super) fn own_elements(
+        &mut self,
+        items: &[Item],
+        body: &mut Block,
+        span: Span,
+    ) -> Vec<Stmt> {
+        let mut copies = Vec::new();
+        for item in items {
+            let Some(Kind::Elements(Elements { slice, owned })) = item.of else { continue };
+            let place = &slice.base;
+            // Elements that are references, whatever they are gone through by: those of a slice with a name.
+            let refers = |slot| matches!(self.source.slots.get(slot as usize), Some(Ty::Ref(..)));
+            let refers = matches!(item.pattern, tree::Pattern::Name { slot, .. } if refers(*slot));
+            if !owned || refers || !effects::writes_local(body, place.root) {
+                continue;
+            }
+            let local = self.local(words::ELEMENTS, place.ty.clone(), span);
+            let mut copied = false;
+            for stmt in &mut body.0 {
+                // The declarations of the names come first, each with its part of the element.
+                if let StmtKind::Let { value: Some(value), .. } = &mut stmt.kind
+                    && let ExprKind::Load(element) = &mut value.kind
+                    && element.root == place.root
+                    && element.steps.len() > place.steps.len()
+                    && element.steps.starts_with(&place.steps)
+                    && element.span == place.span
+                {
+                    copied = true;
+                    element.root = local;
+                    element.steps.drain(..place.steps.len());
+                }
+            }
+            // Else its names are references, `for x in table.row_mut(i)`.
+            if copied {
+                let value = Some(place.load().at(span));
+                copies.push(Stmt::new(StmtKind::Let { local, value }, span));
+            }
+        }
+        copies
+    }
 }
 
 /// Returns an index as its number, if it is the name of one: a constant, or a variant `as usize`. The C has the name.
@@ -225,7 +320,7 @@ fn named_index(module: &mut Module, index: Expr) -> Expr {
 }
 
 /// Returns the locals that statements declare and that `named` or a lender mentions.
-pub(super) fn read_later(lenders: &Lenders, stmts: &[Stmt], named: &[Named]) -> HashSet<LocalId> {
+fn read_later(lenders: &Lenders, stmts: &[Stmt], named: &[Named]) -> HashSet<LocalId> {
     let declared = stmts.iter().filter_map(|stmt| match stmt.kind {
         StmtKind::Let { local, .. } => Some(local),
         _ => None,

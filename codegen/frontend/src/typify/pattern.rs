@@ -390,8 +390,12 @@ impl Lowering<'_, '_> {
                 self.agree(&place.ty, &refers, named.site)?;
             }
             // What no author named is read at once.
-            if reference || unnamed || !named.mutable && self.is_lasting(place) {
-                self.bind(&named.name, Value::Place(place.clone()));
+            let same = match reference || unnamed {
+                true => Some(Value::Place(place.clone())),
+                false => self.denoted(place, named.mutable),
+            };
+            if let Some(same) = same {
+                self.bind(&named.name, same);
                 continue;
             }
             let rustc = match borrowed {
@@ -417,11 +421,6 @@ impl Lowering<'_, '_> {
             || named.slot != NO_SLOT
                 && self.is_loan(place)
                 && !self.slot_is_exclusive(named.slot, named.site)?)
-    }
-
-    /// Returns true if nothing can write to a place: it is behind `&`, or in a local that the author has no name for.
-    pub(super) fn is_lasting(&self, place: &Place) -> bool {
-        self.locals.lasts(place) && !self.cx.holds_iterator(&place.ty)
     }
 }
 

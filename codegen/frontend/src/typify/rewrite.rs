@@ -12,13 +12,13 @@
 
 use std::collections::HashMap;
 
-use bessemer_ir::tree::visit::{self, Visit, VisitMut, Walk};
+use bessemer_ir::tree::visit::{self, Visit, VisitMut};
 use bessemer_ir::tree::{
-    self, Arm, BinaryOp, Block, Expr, ExprKind, FunctionTree, NO_SLOT, Pattern, Role, Site, Source,
-    Stmt, UnaryOp,
+    self, Arm, Block, Expr, ExprKind, FunctionTree, NO_SLOT, Pattern, Role, Site, Source, Stmt,
 };
 
 use super::lowering::Lowering;
+use super::order::syntax;
 
 #[cfg(test)]
 mod tests;
@@ -139,28 +139,9 @@ impl<'e> Rewriting<'e> {
         arguments: &[Expr],
         site: Site,
     ) -> Vec<Stmt> {
-        let (first, written) = (computed_first(body), self.writes_when_asked(body));
-        let mut values: Vec<_> = rule.params.iter().zip(arguments).collect();
+        let first = syntax::held_first(rule, body, arguments);
         // A reference that is given is that to the same place behind the others, too.
-        let is_followed = |name: &str| {
-            let is_it = |it: &Expr| matches!(&it.kind, ExprKind::Local(it) if it == name);
-            body.any_expr(|it| matches!(&it.kind, ExprKind::Deref(inner) if is_it(inner)))
-        };
-        let moved = |at: usize| {
-            if is_followed(&rule.params[at].name) {
-                return false;
-            }
-            let later = rule.params.iter().zip(arguments).skip(at + 1);
-            later.filter(|(param, _)| !param.closure).any(|(_, it)| may_move(it, &arguments[at]))
-        };
-        let mut at = 0..;
-        values.retain(|(param, argument)| {
-            let moved = at.next().is_some_and(moved);
-            !param.closure && (written || moved || !is_quiet(argument))
-        });
-        if !written && values.iter().all(|(param, _)| first.contains(&param.name.as_str())) {
-            return Vec::new();
-        }
+        let is_followed = |name: &str| syntax::is_followed(body, name);
         let held = |(param, argument): (&'e tree::Param, &Expr)| {
             self.given.remove(param.name.as_str());
             let (name, slot, value) = (hidden(&param.name), NO_SLOT, argument.clone());
@@ -171,17 +152,7 @@ impl<'e> Rewriting<'e> {
             }
             Stmt::Let { name, slot, value: Some(value), site, mutable: param.mutable }
         };
-        values.into_iter().map(held).collect()
-    }
-
-    /// Returns true if a guard calls a closure that may write the matched value.
-    fn writes_when_asked(&self, body: &Expr) -> bool {
-        let ExprKind::Match(_, arms) = &body.kind else { return false };
-        let writes = |guard: &Expr| match &guard.kind {
-            ExprKind::Apply(f, _) => !self.closure(f).is_some_and(|it| is_pure(&it.body)),
-            _ => false,
-        };
-        arms.iter().filter_map(|arm| arm.guard.as_ref()).any(writes)
+        first.into_iter().map(held).collect()
     }
 
     /// Returns the closure that the caller wrote for a parameter; none if the caller received it itself.
@@ -282,71 +253,4 @@ impl Visit for Uses<'_, '_> {
             _ => visit::walk_expr(self, expr),
         }
     }
-}
-
-/// Returns the parameters that a body evaluates first.
-fn computed_first(body: &Expr) -> Vec<&str> {
-    match &body.kind {
-        ExprKind::Match(first, _) | ExprKind::If(first, ..) | ExprKind::Unary(_, first) => {
-            computed_first(first)
-        }
-        ExprKind::Tuple(parts) => parts.iter().flat_map(computed_first).collect(),
-        ExprKind::Local(name) => vec![name],
-        _ => Vec::new(),
-    }
-}
-
-/// Returns true if an expression may be left unevaluated: a literal, a name, or a part of one.
-pub(super) fn is_plain(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Bool(_) | ExprKind::Int(..) | ExprKind::Float(..) | ExprKind::Bytes(_) => true,
-        ExprKind::Local(_) | ExprKind::Path(..) => true,
-        ExprKind::Constructor(_, parts) => parts.is_empty(),
-        ExprKind::Field(inner, _) | ExprKind::Ref(_, inner) | ExprKind::Deref(inner) => {
-            is_plain(inner)
-        }
-        ExprKind::Unary(UnaryOp::Neg, inner) => {
-            matches!(inner.kind, ExprKind::Int(..) | ExprKind::Float(..))
-        }
-        _ => false,
-    }
-}
-
-/// Returns true if evaluating `later` first may change what `read` reads: it has an effect, and mentions the same
-/// variable.
-fn may_move(later: &Expr, read: &Expr) -> bool {
-    !is_pure(later) && !later.locals().is_disjoint(&read.locals())
-}
-
-/// Returns true if an expression writes nothing, judged by its syntax; it may fault.
-pub(super) fn is_pure(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Unary(_, inner) | ExprKind::Cast(inner) => is_pure(inner),
-        ExprKind::Binary(_, left, right) | ExprKind::Index(left, right) => {
-            is_pure(left) && is_pure(right)
-        }
-        _ => is_quiet(expr),
-    }
-}
-
-/// Returns true if an expression writes nothing and cannot fault, judged by its syntax, so that it may be left
-/// unevaluated.
-fn is_quiet(expr: &Expr) -> bool {
-    use BinaryOp::{Eq, Ge, Gt, Le, LogicAnd, LogicOr, Lt, Ne};
-    match &expr.kind {
-        ExprKind::Binary(op, left, right) => {
-            let quiet = match op {
-                LogicAnd | LogicOr => true,
-                // Beside a number it is no author's own operator, which may do anything.
-                Eq | Ne | Lt | Le | Gt | Ge => is_number(left) || is_number(right),
-                _ => false,
-            };
-            quiet && is_quiet(left) && is_quiet(right)
-        }
-        _ => is_plain(expr),
-    }
-}
-
-fn is_number(expr: &Expr) -> bool {
-    matches!(expr.kind, ExprKind::Bool(_) | ExprKind::Int(..) | ExprKind::Float(..))
 }

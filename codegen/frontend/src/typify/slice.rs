@@ -224,14 +224,6 @@ impl Lowering<'_, '_> {
         Ok(Slice { whole, ..slice.between(from, to) })
     }
 
-    /// Returns true if nothing writes the place that a value is read from.
-    pub(super) fn is_steady(&self, value: &Expr) -> bool {
-        match &value.kind {
-            ExprKind::Load(place) => place.steps.is_empty() && self.locals.lasts(place),
-            _ => value.is_literal(),
-        }
-    }
-
     /// Emits the check of an index or a length: its comparison `op` with `most` must hold.
     pub(super) fn check_index(&mut self, index: &Expr, op: CompareOp, most: &Expr, span: Span) {
         self.check(compared(op, index, most, span), Fault::Index, span);

@@ -130,8 +130,7 @@ impl Lowering<'_, '_> {
         let last = inclusive.then(|| self.atom("last", to.clone()));
         let to = last.clone().unwrap_or(to);
         let length = distance(&held, to);
-        let named = inclusive && from_zero || by == 1 && self.is_steady(&length);
-        let length = if named { length } else { self.atom("length", length) };
+        let length = if inclusive && from_zero { length } else { self.atom("length", length) };
         // A step of at least 2 leaves room for the last number, and a step of 1 no rest: this cannot leave the type.
         let more = last.map(|last| match from_zero {
             true => Expr::literal_like(1, &held),
