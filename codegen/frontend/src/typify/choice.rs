@@ -9,7 +9,8 @@ use bessemer_ir::{
 };
 
 use super::conditions::has_let;
-use super::lowering::{Lowering, Target};
+use super::frames::Target;
+use super::lowering::Lowering;
 use super::pattern::Test;
 use super::subject::taken_name;
 use super::syntax::alternatives;

@@ -11,9 +11,9 @@ use bessemer_ir::{
 use super::borrowed::Lenders;
 use super::context::Path;
 use super::destructure::Let;
-use super::frames::Frames;
+use super::frames::{Frames, Target};
 use super::locals::Locals;
-use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since};
+use super::lowering::{Lowering, RESULT, UNNAMED, local_since};
 use super::names::split;
 use super::scopes::Scopes;
 use super::slots::{slice_of, slot_type};

@@ -7,8 +7,8 @@ use bessemer_ir::visit::Walk;
 use bessemer_ir::{Block, Expr, Span, Stmt, StmtKind, Type};
 
 use super::Result;
-use super::frames::Frame;
-use super::lowering::{Lowering, Target};
+use super::frames::{Frame, Target};
+use super::lowering::Lowering;
 use super::marks::{Leaving, branches_mut};
 use bessemer_ir::effects;
 

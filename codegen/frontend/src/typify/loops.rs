@@ -15,10 +15,10 @@ use crate::fuse;
 use crate::termination::{self, Loop, Proof};
 
 use super::each::Each;
-use super::frames::{Behind, Frame, Leaving};
+use super::frames::{Behind, Frame, Leaving, Target};
 use super::lengths::size;
 use super::locals::Locals;
-use super::lowering::{Lowering, Target};
+use super::lowering::Lowering;
 use super::order::is_light;
 use super::single_pass::single_pass;
 use super::syntax::{is_named, some_of};

@@ -54,15 +54,6 @@ pub(super) fn local_since(place: &Place, first: usize) -> Option<LocalId> {
     (place.steps.is_empty() && place.root.index() >= first).then_some(place.root)
 }
 
-/// Destination of a value.
-#[derive(Clone)]
-pub(super) enum Target {
-    /// Assignment to a place.
-    Place(Place),
-    /// The result of the function.
-    Return,
-}
-
 impl<'a> Lowering<'a, '_> {
     /// Registers a closure with the current scope, and returns it as a value.
     pub(super) fn closure_here(&mut self, text: tree::Closure) -> Value {

@@ -199,8 +199,8 @@ impl Lowering<'_, '_> {
             // A slice has looked already.
             _ => Vec::new(),
         };
-        let moving = |(index, _): &(&Expr, u32)| !matches!(index.kind, ExprKind::Literal(_));
-        for (index, len) in last.indices().zip(lengths).filter(moving) {
+        let known = |(index, len): &(&Expr, u32)| matches!(index.kind, ExprKind::Literal(at) if at < u64::from(*len));
+        for (index, len) in last.indices().zip(lengths).filter(|it| !known(it)) {
             let len = Expr::literal_like(u64::from(len), index);
             let condition = Expr::compare(CompareOp::Lt, index.clone(), len);
             self.emit(StmtKind::Check { condition, fault: Fault::Index }, index.span);
@@ -222,15 +222,15 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Returns the place as the meaning of a name with a value type, if nothing writes it: it is behind `&`, or in a local
-    /// that the author has no name for. Otherwise the name needs a copy.
+    /// Returns the place as the meaning of an immutable name, if nothing writes the place; otherwise the name needs a copy. Such a
+    /// place is behind `&`, or in a local that the author has no name for.
     pub(super) fn denoted(&self, place: &Place, mutable: bool) -> Option<Value> {
         let lasts = self.locals.lasts(place) && !self.cx.holds_iterator(&place.ty);
         (lasts && !mutable).then(|| Value::Place(place.clone()))
     }
 
-    /// Declares the locals of the right side of `&&` that `names` or a lender mention before the condition, and returns the
-    /// other statements of that side, which assign them.
+    /// Declares the locals that later code mentions before the condition whose right side computes them. Returns the other
+    /// statements of that side, which assign them.
     pub(super) fn declared_first(&mut self, inner: Vec<Stmt>, names: &[Named]) -> Vec<Stmt> {
         let mut kept = Vec::new();
         let later = read_later(&self.lenders, &inner, names);
