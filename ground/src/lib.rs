@@ -13,6 +13,7 @@
 //! | [`testbed`] | all of these, one control period at a time |
 //! | [`recorder`], [`replay`] | a flight as a file, and the C run again from it |
 //! | [`live`], [`player`] | the testbed, or a recording, with the server at its side |
+//! | [`seeds`] | flights of a campaign's seeds, opened by the links of its summary page |
 //! | [`command`] | who commands |
 //! | [`refusal`] | reasons to refuse a request before it goes to the aircraft |
 //! | [`events`] | changes of a flight, in an operator's words |
@@ -41,6 +42,7 @@ pub mod recorder;
 pub mod refusal;
 pub mod relay;
 pub mod replay;
+pub mod seeds;
 pub mod server;
 pub mod station;
 pub mod testbed;

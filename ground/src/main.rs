@@ -9,14 +9,14 @@ use ground::radio::Quality;
 use ground::recorded::Recorded;
 use ground::server::{self, Hub};
 use ground::testbed::{Pace, Testbed, Wanted};
-use ground::{ending, mocap, recorder, replay, testbed};
+use ground::{ending, mocap, recorder, replay, seeds, testbed};
 use ground_args::{Airframe, Axis, Campaign, Fly, Machine, Replay, Task};
 use sim::Aircraft;
-use sim::campaign::{Campaign as _, Kind};
+use sim::campaign::Kind;
 use std::error::Error;
 use std::io::Write as _;
 use std::net::{Ipv4Addr, SocketAddr};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
@@ -199,12 +199,19 @@ fn unbuilt(_: &mut Live, tool: &str, address: SocketAddr) -> Box<dyn Error> {
 /// Shows a recording until the program is ended.
 fn play(wanted: &Replay) -> Result<(), Box<dyn Error>> {
     let (asked, asks) = live::queue();
+    let folder = bessemer_legs::root().join("target/campaign");
     let file = match wanted.seed {
-        Some(seed) => flown_seed(wanted.campaign, seed)?,
+        Some(seed) => seeds::fly(kind(wanted.campaign), seed, &folder)?,
         None => named(wanted)?.to_owned(),
     };
+    if wanted.seed.is_some() {
+        say!("{}", file.display());
+    }
     let recorded = Recorded::read(&file)?;
-    let hub = Hub::new(asked, &live::hello(recorded.aircraft(&file)?, false))?;
+    let aircraft = recorded.aircraft(&file)?;
+    let hub = Hub::new(asked, &live::hello(aircraft, false))?;
+    // The campaigns fly this aircraft, whose parameters and signals the page has.
+    let seeds = (aircraft == Aircraft::Mambo).then(|| hub.seeds());
     let mut player = Player::of(&recorded, &file, hub.clone(), asks)?;
     drop(recorded);
     report_missing(player.missing, player.playing().to);
@@ -219,6 +226,7 @@ fn play(wanted: &Replay) -> Result<(), Box<dyn Error>> {
     let mut before = Instant::now();
     loop {
         std::thread::sleep(Duration::from_millis(10));
+        seeds.iter().flat_map(|seeds| seeds.try_iter()).for_each(|it| player.fly(it, &folder));
         let now = Instant::now();
         player.step((now - before).as_secs_f64());
         before = now;
@@ -230,19 +238,11 @@ fn named(wanted: &Replay) -> Result<&Path, Box<dyn Error>> {
     wanted.file.as_deref().ok_or_else(|| "name a recording".into())
 }
 
-/// Flies the seed of a campaign; returns its recording.
-fn flown_seed(campaign: Campaign, seed: u64) -> Result<PathBuf, Box<dyn Error>> {
-    let kind = match campaign {
+fn kind(campaign: Campaign) -> Kind {
+    match campaign {
         Campaign::Spread => Kind::Spread,
         Campaign::Failures => Kind::Failures,
-    };
-    let folder = bessemer_legs::root().join("target/campaign");
-    std::fs::create_dir_all(&folder)
-        .map_err(|source| format!("`{}`: {source}", folder.display()))?;
-    let path = folder.join(format!("{}-{seed}.mcap", kind.kind()));
-    recorder::simulated(&kind.scenario(seed), path.clone())?;
-    say!("{}", path.display());
-    Ok(path)
+    }
 }
 
 fn run_again(wanted: &Replay) -> Result<bool, Box<dyn Error>> {

@@ -10,6 +10,7 @@ use crate::messages::{Ask, Flight, Playing, Tell};
 use crate::recorded::Recorded;
 use crate::recorder::{EVENTS, STEPS, event, step};
 use crate::replay::Error;
+use crate::seeds::{self, Seed};
 use crate::server::Hub;
 use models::onboard::signals;
 use serde_json::Value;
@@ -44,7 +45,7 @@ pub struct Player {
     /// Bytes without a whole chunk at the end of a truncated recording.
     pub missing: Option<usize>,
     hub: Arc<Hub>,
-    asked: Receiver<Ask>,
+    requests: Receiver<Ask>,
     /// Time in the recording, s.
     time: f64,
     speed: f64,
@@ -74,15 +75,39 @@ impl Player {
         hub: Arc<Hub>,
         requests: Receiver<Ask>,
     ) -> Result<Self, Error> {
+        let (frames, missing) = (Vec::new(), None);
+        let (time, speed, next, untold) = (0.0, 1.0, 0, TOLD);
+        let mut player = Self { frames, missing, hub, requests, time, speed, next, untold };
+        player.load(recorded, path)?;
+        Ok(player)
+    }
+
+    /// Shows another recording from its start. If it cannot be shown, the one before stays.
+    ///
+    /// # Errors
+    ///
+    /// The recording is damaged, or has nothing to show.
+    pub fn load(&mut self, recorded: &Recorded, path: &Path) -> Result<(), Error> {
         let Read { frames, events, missing } = read(recorded, path)?;
-        events.iter().for_each(|event| hub.log(event));
         let nothing = || match missing {
             Some(_) => Error::Cut { path: path.to_owned() },
             None => Error::Empty { path: path.to_owned() },
         };
-        let time = frames.first().ok_or_else(nothing)?.time;
-        hub.show(whole(&frames));
-        Ok(Self { frames, missing, hub, asked: requests, time, speed: 1.0, next: 0, untold: TOLD })
+        self.time = frames.first().ok_or_else(nothing)?.time;
+        self.hub.show(whole(&frames), &events);
+        (self.frames, self.missing, self.next, self.untold) = (frames, missing, 0, TOLD);
+        Ok(())
+    }
+
+    /// Flies a seed that a person wants to see, records it in a folder, and shows it.
+    pub fn fly(&mut self, seed: Seed, folder: &Path) {
+        let shown = seeds::fly(seed.campaign, seed.seed, folder)
+            .map_err(|error| error.to_string())
+            .and_then(|path| {
+                let recorded = Recorded::read(&path).map_err(|error| error.to_string())?;
+                self.load(&recorded, &path).map_err(|error| error.to_string())
+            });
+        seed.answer(shown);
     }
 
     /// Returns the time in the recording, s, and the speed.
@@ -94,7 +119,7 @@ impl Player {
 
     /// Advances by `passed` seconds of real time, and shows the frames that are due.
     pub fn step(&mut self, passed: f64) {
-        while let Ok(ask) = self.asked.try_recv() {
+        while let Ok(ask) = self.requests.try_recv() {
             self.obey(&ask);
         }
         let Playing { to, .. } = self.playing();

@@ -47,8 +47,8 @@ const DECIMATION: u64 = 4;
 #[derive(Debug, thiserror::Error)]
 #[error("the recording `{path}` cannot be written: {source}")]
 pub struct Unwritable {
-    path: PathBuf,
-    source: std::io::Error,
+    pub(crate) path: PathBuf,
+    pub(crate) source: std::io::Error,
 }
 
 /// Item of the writing thread's queue.

@@ -4,6 +4,8 @@
 //!   time; the others only watch. Stopping the motors needs only the token.
 //! * A WebSocket is opened only for pages of this server: `Origin` and `Host` are checked.
 //! * A recording needs the token, and is read piece by piece.
+//! * The link of a campaign's seed is for a person who opens it: no page can embed it. It flies in simulation, and only a server that
+//!   shows recordings has such links.
 //! * The numbers of connections and pages are limited; further ones are rejected.
 //! * A client that reads slowly misses frames; nothing waits for it. Commands that arrive faster than the testbed
 //!   takes them are rejected.
@@ -15,19 +17,20 @@ use crate::events::Event;
 use crate::limited::Limited;
 use crate::messages::{Ask, Flight, Saved, Tell};
 use crate::page;
+use crate::seeds::Seed;
 use axum::Router;
 use axum::body::Body;
 use axum::extract::ws::{Message, Utf8Bytes, WebSocket, WebSocketUpgrade};
 use axum::extract::{Path, State};
 use axum::http::{HeaderMap, StatusCode, Uri, header};
-use axum::response::{IntoResponse, Response};
+use axum::response::{IntoResponse, Redirect, Response};
 use axum::routing::get;
 use serde_json::Value;
 use std::collections::VecDeque;
 use std::net::SocketAddr;
 use std::path::{Path as FilePath, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
-use std::sync::mpsc::{SyncSender, TrySendError};
+use std::sync::mpsc::{Receiver, SyncSender, TrySendError, sync_channel};
 use std::sync::{Arc, Mutex, OnceLock};
 use tokio::net::TcpListener;
 use tokio::sync::broadcast::{self, error::RecvError};
@@ -47,6 +50,9 @@ const MOST_RECORDINGS: usize = 20;
 
 /// Events that a page receives when it opens.
 const MOST_EVENTS: usize = 200;
+
+/// The most seeds that wait for their flights.
+const MOST_SEEDS: usize = 4;
 
 /// The longest message that a page may send, bytes.
 const LONGEST: usize = 16 * 1024;
@@ -69,7 +75,9 @@ pub struct Hub {
     /// The recordings, the oldest first.
     recordings: Mutex<Vec<(PathBuf, Saved)>>,
     /// A recorded flight, which a page receives when it opens.
-    flight: OnceLock<Utf8Bytes>,
+    flight: Mutex<Option<Utf8Bytes>>,
+    /// Queue of the seeds whose flights a person wants to see, if this server shows them.
+    seeds: OnceLock<SyncSender<Seed>>,
     /// Number of all events, and the last of them as messages.
     events: Mutex<(usize, VecDeque<Utf8Bytes>)>,
 }
@@ -93,7 +101,8 @@ impl Hub {
             skipped: AtomicU64::new(0),
             stop: AtomicBool::new(false),
             recordings: Mutex::default(),
-            flight: OnceLock::new(),
+            flight: Mutex::default(),
+            seeds: OnceLock::new(),
             events: Mutex::default(),
         }))
     }
@@ -185,9 +194,25 @@ impl Hub {
         recordings.iter().map(|(_, saved)| saved.clone()).collect()
     }
 
-    /// Sets the recorded flight that each page receives when it opens.
-    pub fn show(&self, flight: Flight) {
-        let _ = self.flight.set(text(&Tell::Flight(Box::new(flight))).into());
+    /// Shows a recorded flight with its events in place of the one before: each page receives it, also when it opens later.
+    pub fn show(&self, flight: Flight, events: &[Event]) {
+        if let Ok(mut kept) = self.events.lock() {
+            kept.1.clear();
+        }
+        events.iter().for_each(|event| self.log(event));
+        let flight = Utf8Bytes::from(text(&Tell::Flight(Box::new(flight))));
+        if let Ok(mut shown) = self.flight.lock() {
+            *shown = Some(flight.clone());
+        }
+        // No page is open.
+        let _ = self.news.send(flight);
+    }
+
+    /// Returns the seeds whose flights a person wants to see; without this call, there are no such links.
+    pub fn seeds(&self) -> Receiver<Seed> {
+        let (wanted, seeds) = sync_channel(MOST_SEEDS);
+        let _ = self.seeds.set(wanted);
+        seeds
     }
 
     /// Returns the path of a recording by its name; of the last one without a name.
@@ -230,6 +255,7 @@ fn router(hub: Arc<Hub>) -> Router {
         .route("/live", get(live))
         .route("/flight.mcap", get(last_recording))
         .route("/recordings/{name}", get(recording))
+        .route("/seed/{campaign}/{seed}", get(seed))
         .route("/{name}", get(file))
         .with_state(hub)
 }
@@ -297,6 +323,46 @@ async fn download(hub: &Hub, wanted: Option<&str>, headers: &HeaderMap, address:
     (headers, Body::from_stream(ReaderStream::new(file))).into_response()
 }
 
+/// Shows the flight of a campaign's seed to a person who opened its link.
+async fn seed(
+    State(hub): State<Arc<Hub>>,
+    Path((campaign, seed)): Path<(String, String)>,
+    headers: HeaderMap,
+) -> Response {
+    if !is_ours(&headers) || !is_opened(&headers) {
+        return (StatusCode::FORBIDDEN, "a seed is shown if a person opens its link")
+            .into_response();
+    }
+    let Some((seed, answer)) = Seed::of(&campaign, &seed) else {
+        let reason = "there is no such seed: the campaigns are `spread` and `failures`";
+        return (StatusCode::NOT_FOUND, reason).into_response();
+    };
+    // Only an address that was checked is repeated.
+    let Some(seeds) = hub.seeds.get() else {
+        let reason = format!(
+            "this server shows no seeds: end it, and run cargo xtask replay --page --campaign {campaign} --seed {}",
+            seed.seed
+        );
+        return (StatusCode::NOT_FOUND, reason).into_response();
+    };
+    if seeds.try_send(seed).is_err() {
+        return (StatusCode::SERVICE_UNAVAILABLE, "other seeds are being flown: try again")
+            .into_response();
+    }
+    match answer.await {
+        Ok(Ok(())) => Redirect::to("/").into_response(),
+        Ok(Err(reason)) => (StatusCode::INTERNAL_SERVER_ERROR, reason).into_response(),
+        Err(_) => (StatusCode::INTERNAL_SERVER_ERROR, "the program has ended").into_response(),
+    }
+}
+
+/// Returns true if an address was opened as a page of its own, or the client is no browser. A browser says so of what a page
+/// embeds or requests (W3C, Fetch Metadata Request Headers).
+fn is_opened(headers: &HeaderMap) -> bool {
+    let is = |name, wanted: &str| headers.get(name).is_none_or(|value| value == wanted);
+    is("sec-fetch-mode", "navigate") && is("sec-fetch-dest", "document")
+}
+
 /// Opens a page's WebSocket.
 async fn live(
     State(hub): State<Arc<Hub>>,
@@ -346,7 +412,8 @@ async fn attend(mut socket: WebSocket, hub: &Hub) {
     let seat = hub.seat();
     let mut news = hub.news.subscribe();
     let (mut trusted, mut held, mut seen) = (false, false, 0);
-    let first = [Some(hub.hello.clone().into()), hub.flight.get().cloned()];
+    let flight = hub.flight.lock().ok().and_then(|flight| flight.clone());
+    let first = [Some(hub.hello.clone().into()), flight];
     for message in first.into_iter().flatten() {
         if socket.send(Message::Text(message)).await.is_err() {
             return;

@@ -17,6 +17,11 @@ use std::time::{Duration, Instant};
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{HandshakeError, Message, WebSocket};
 
+#[path = "server/links.rs"]
+mod links;
+
+use links::answered;
+
 #[test]
 fn the_page_is_what_its_sources_give() {
     let web = bessemer_legs::root().join("ground/web");
@@ -157,12 +162,7 @@ impl Served {
     }
 
     fn get_from(&self, request: &str, host: &str) -> String {
-        let mut stream = TcpStream::connect(self.address).expect("the server listens");
-        write!(stream, "{request} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n")
-            .expect("the server listens");
-        let mut answer = Vec::new();
-        stream.read_to_end(&mut answer).expect("the server answers");
-        String::from_utf8_lossy(&answer).into_owned()
+        answered(self.address, &format!("{request} HTTP/1.1"), host)
     }
 }
 

@@ -17,6 +17,13 @@ code { font: 13px ui-monospace, monospace; background: #eef2f5; padding: .1rem .
 @media print { body { margin: 0; } }";
 
 impl Summary {
+    /// Returns true if a seed on the page has a link.
+    fn has_links(&self) -> bool {
+        let faults = self.faults.iter().flat_map(|it| &it.seeds);
+        let worst = self.columns.iter().flat_map(|it| &it.worst);
+        faults.chain(worst).any(|it| !it.link.is_empty())
+    }
+
     /// Formats the figures as an HTML file.
     pub fn page(&self) -> String {
         let mut text = format!(
@@ -44,6 +51,10 @@ impl Summary {
         );
         for remark in &self.remarks {
             let _ = writeln!(text, "<p class=\"bad\">{}</p>", escape(remark));
+        }
+        if self.has_links() {
+            text += "<p class=\"small\">The number of a seed is a link, which shows its run while the program of the command beside \
+                     it is running, with this or any other seed.</p>\n";
         }
         if !self.faults.is_empty() {
             text += "<h2>What went wrong</h2>\n<table><tr><th>fault<th class=\"n\">runs<th>probability<th>first seeds\n";

@@ -33,6 +33,9 @@ pub const ALL: [&dyn Campaign; 2] = [&Kind::Spread, &Kind::Failures];
 /// Version of the simulated world. Raise it when a flight of the same models changes: a test compares the committed flights.
 const VERSION: u32 = 1;
 
+/// Address of the ground station while it shows a recording; its links of seeds begin with it.
+const STATION: &str = "http://127.0.0.1:8080";
+
 /// Names and texts of the models' files.
 macro_rules! sources {
     ($($name:literal)*) => {
@@ -129,6 +132,6 @@ impl Campaign for Kind {
 
     fn replay(&self, seed: u64) -> Replay {
         let command = format!("cargo xtask replay --page --campaign {} --seed {seed}", self.kind());
-        Replay { command, link: String::new() }
+        Replay { command, link: format!("{STATION}/seed/{}/{seed}", self.kind()) }
     }
 }
