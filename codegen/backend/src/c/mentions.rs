@@ -16,8 +16,16 @@ pub fn names(body: &[Stmt], name: &str) -> bool {
     })
 }
 
+/// Returns the number of reads of the variable; a write to it, or to a part of it, is none.
+pub fn reads(body: &[Stmt], name: &str) -> usize {
+    let inner_reads = |stmt: &Stmt| -> usize {
+        stmt.kind.blocks().into_iter().map(|block| reads(block, name)).sum()
+    };
+    body.iter().map(|stmt| of_statement(&stmt.kind, name) + inner_reads(stmt)).sum()
+}
+
 /// Returns the number of reads in a statement, without its blocks.
-pub fn of_statement(kind: &StmtKind, name: &str) -> usize {
+fn of_statement(kind: &StmtKind, name: &str) -> usize {
     let of = |expr: &Expr| expr.mentions(name);
     match kind {
         StmtKind::Declare(_, Some(init)) => of_init(init, name),

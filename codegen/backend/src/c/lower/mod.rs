@@ -42,7 +42,7 @@ use super::helpers::Helper;
 use super::layout::{Enums, size_of};
 use super::mentions;
 use super::names::local_name;
-use super::signature::{Returned, Signature};
+use super::signature::{Passing, Returned, Signature};
 use super::spelling::{FIRST_NUMBER, numbered, stem, unique_from};
 use super::tree::{
     Declarator, Expr, Init, Lines, Origin, Stmt, StmtKind, Storage, compound, plain,
@@ -302,11 +302,15 @@ impl<'a> Lower<'a> {
         self.quiet_parameters();
     }
 
-    /// Marks the parameters that the finished C does not mention.
+    /// Marks the parameters that the finished C does not read. What is behind a pointer is the caller's: a write to it is a use.
     fn quiet_parameters(&mut self) {
         for (index, param) in self.signature.params.iter().enumerate() {
             let looked_at = index == 0 && self.looks;
-            if !looked_at && !mentions::names(&self.out, &param.name) {
+            let used = match param.passing {
+                Passing::Value => mentions::reads(&self.out, &param.name) > 0,
+                _ => mentions::names(&self.out, &param.name),
+            };
+            if !looked_at && !used {
                 let name = Expr::cast("void", Expr::name(&param.name));
                 self.out.insert(0, plain(StmtKind::Expr(name)));
             }

@@ -3,7 +3,7 @@
 //! `(void)name;` follows the declaration of such a local, or its last store if it is declared without a value. A local that only copies a place which is read elsewhere,
 //! or a list of literals, is removed. Any other value remains, since it may contain a call.
 
-use crate::c::mentions::{names, of_statement};
+use crate::c::mentions::{names, reads};
 use crate::c::tree::{Expr, Init, Stmt, StmtKind, plain};
 
 /// Inserts `(void)name;` after the declarations of these names, and removes copies that nothing reads.
@@ -94,12 +94,4 @@ fn declarations(body: &[Stmt], name: &str) -> usize {
         usize::from(own) + inner.sum::<usize>()
     };
     body.iter().map(count).sum()
-}
-
-/// Returns the number of reads of the variable; a write to it, or to a part of it, is none.
-fn reads(body: &[Stmt], name: &str) -> usize {
-    let inner_reads = |stmt: &Stmt| -> usize {
-        stmt.kind.blocks().into_iter().map(|block| reads(block, name)).sum()
-    };
-    body.iter().map(|stmt| of_statement(&stmt.kind, name) + inner_reads(stmt)).sum()
 }
