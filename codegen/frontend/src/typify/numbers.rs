@@ -196,7 +196,9 @@ impl Lowering<'_, '_> {
     pub(super) fn small_power(&mut self, path: &str, call: Call<'_>) -> Result<Option<Expr>> {
         let Call { arguments, expr } = call;
         let Some(name) = path.strip_prefix("bessemer::math::integer::") else { return Ok(None) };
-        let wrapping = name.starts_with("wrapping_pow");
+        // `pow_u8` or `wrapping_pow_u8`: the module has other functions of two numbers.
+        let kind = name.rsplit_once('_').and_then(|(kind, _)| kind.strip_suffix("pow"));
+        let Some(wrapping) = kind.map(|before| !before.is_empty()) else { return Ok(None) };
         let exponent = match arguments {
             [_, tree::Expr { kind: tree::ExprKind::Int(digits, _), .. }] => digits.as_str(),
             _ => return Ok(None),
