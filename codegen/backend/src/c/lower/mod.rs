@@ -302,7 +302,7 @@ impl<'a> Lower<'a> {
         self.quiet_parameters();
     }
 
-    /// Marks the parameters that the finished C does not read. What is behind a pointer is the caller's: a write to it is a use.
+    /// Marks the parameters that the finished C does not read. A write behind a pointer is a use: the caller reads it.
     fn quiet_parameters(&mut self) {
         for (index, param) in self.signature.params.iter().enumerate() {
             let looked_at = index == 0 && self.looks;
