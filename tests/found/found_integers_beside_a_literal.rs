@@ -1,5 +1,5 @@
-// Methods of integers beside a literal of 2 or 3: only `pow` and `wrapping_pow` are the product of the number with itself.
-// `k.saturating_add_signed(3)` was the cube of `k`.
+// Methods of integers beside a literal of 2 or 3. Of them `pow` and `wrapping_pow` alone are products of the number with itself.
+// Before, `k.saturating_add_signed(3)` was the cube of `k`.
 #[function]
 pub fn found_integers_beside_a_literal_0(k: u8) -> [u8; 12] {
     [

@@ -1,4 +1,4 @@
-// Parameters whose only reads are decided by their types, and that are written behind them: compilers warn of what is only written.
+// Parameters that the C only writes, since their types decide the reads: compilers warn of such a parameter.
 #[data]
 #[derive(Clone, Copy, PartialEq)]
 pub enum FoundParametersOnlyWrittenWay {
