@@ -3,7 +3,7 @@
 use bessemer::requirement;
 use bessemer_campaign::{Campaign, Row, Summary, read};
 use rayon::prelude::*;
-use sim::campaign::{Kind, MODELS, tally};
+use sim::campaign::{Kind, MODELS, outcome, rare, tally};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -29,6 +29,23 @@ fn the_committed_flights_are_those_of_these_models() {
         }
         assert_eq!(Summary::of(&kind, &table).expect("names are in order").bad.events, 0);
     }
+}
+
+/// The severity says whether a flight left the envelope. An airframe with twenty times the inertia that the software assumes
+/// leaves it.
+#[test]
+fn a_flight_that_leaves_the_envelope_is_severe() {
+    let envelope = Kind::Spread.rare().expect("a severity");
+    // No scenario has more numbers than a run, and the one with all outages has as many.
+    let numbers = |normal: f64| rare::scenario(&vec![normal; envelope.dimensions()]).1;
+    assert_eq!([numbers(-9.0), numbers(9.0)], [envelope.dimensions() - 6, envelope.dimensions()]);
+    let severity = envelope.severity(&vec![0.0; envelope.dimensions()]);
+    assert!((-1.0..0.0).contains(&severity), "{severity}");
+    let mut scenario = Kind::Spread.scenario(1);
+    assert!(outcome::severity(&scenario) < 0.0);
+    scenario.airframe.inertia *= 20.0;
+    assert!(outcome::severity(&scenario) >= 0.0);
+    assert!(Kind::Failures.rare().is_none());
 }
 
 #[test]

@@ -317,6 +317,15 @@ fn rare(campaign: &dyn Campaign, level: usize, json: bool) -> Result<bool, Error
     if json {
         let json = serde_json::to_string_pretty(&found);
         println!("{}", json.map_err(|error| Error::Argument(error.to_string()))?);
+    } else if found.probability == 0.0 {
+        // The last level that a repetition reaches has one tenth of the probability of the one before it.
+        let levels = Effort::default().levels as i32;
+        println!(
+            "no failure in {} runs: its probability is below about {:.0e}, and the worst severity is {:.3}",
+            found.runs,
+            0.1_f64.powi(levels - 1),
+            found.severity
+        );
     } else {
         println!(
             "probability of a failure: {:.3e} ± {:.1e} (standard error of {} repetitions), {} runs",

@@ -28,6 +28,21 @@ pub trait Rare: Sync {
     fn severity(&self, normals: &[f64]) -> f64;
 }
 
+/// Returns the uniform number, from 0 to 1, with the same rank as a normal one: for conditions between two limits.
+///
+/// It is Φ, the distribution function of the normal distribution with mean 0 and variance 1, by the complementary error function of
+/// `libm`.
+///
+/// ```
+/// use bessemer_campaign::rare::uniform;
+/// let mass = |normal: f64| 1400.0 + 200.0 * uniform(normal);
+/// assert_eq!(mass(0.0), 1500.0);
+/// assert!(mass(-3.0) < 1401.0 && mass(3.0) > 1599.0);
+/// ```
+pub fn uniform(normal: f64) -> f64 {
+    0.5 * libm::erfc(-normal * std::f64::consts::FRAC_1_SQRT_2)
+}
+
 /// Estimate of a small probability.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Estimate {

@@ -14,17 +14,40 @@ use std::f64::consts::PI;
 /// Start of the landing, s.
 const LANDING: f64 = 28.0;
 
+/// Source of the numbers of a scenario.
+pub trait Dice {
+    /// Returns a number that is uniform from `least` to `most`.
+    fn between(&mut self, least: f64, most: f64) -> f64;
+
+    /// Returns a whole number from 0 to below `count`.
+    fn below(&mut self, count: u64) -> u64;
+}
+
+impl Dice for Stream {
+    fn between(&mut self, least: f64, most: f64) -> f64 {
+        Stream::between(self, least, most)
+    }
+
+    fn below(&mut self, count: u64) -> u64 {
+        Stream::below(self, count)
+    }
+}
+
 /// Returns the scenario of a seed without a failure.
 pub fn scenario(seed: u64) -> Scenario {
-    let mut dice = Stream::new(seed, Purpose::Dice);
+    drawn(&mut Stream::new(seed, Purpose::Dice), seed)
+}
+
+/// Returns a scenario without a failure from numbers of any source; `seed` is that of noise and gusts.
+pub fn drawn(dice: &mut impl Dice, seed: u64) -> Scenario {
     let points = [
         point(0.0, 0.0, 0.0, dice.between(0.7, 1.3), 0.0),
-        somewhere(&mut dice, 8.0),
-        somewhere(&mut dice, 18.0),
+        somewhere(dice, 8.0),
+        somewhere(dice, 18.0),
     ];
     let mut scenario = Scenario::mambo(&points, LANDING, Mode::ClosedLoop);
     scenario.seed = seed;
-    scenario.airframe = airframe(&mut dice);
+    scenario.airframe = airframe(dice);
     scenario.lag *= dice.between(0.7, 1.3);
     scenario.start = State {
         position: Vector3::new(dice.between(-0.3, 0.3), dice.between(-0.3, 0.3), 0.0),
@@ -66,12 +89,12 @@ pub fn failing(seed: u64) -> Scenario {
     scenario
 }
 
-fn somewhere(dice: &mut Stream, time: f64) -> models::trajectory::SetPoint {
+fn somewhere(dice: &mut impl Dice, time: f64) -> models::trajectory::SetPoint {
     let (x, y) = (dice.between(-0.5, 0.5), dice.between(-0.5, 0.5));
     point(time, x, y, dice.between(0.6, 1.8), dice.between(-PI, PI))
 }
 
-fn airframe(dice: &mut Stream) -> Airframe {
+fn airframe(dice: &mut impl Dice) -> Airframe {
     let mut off = || dice.between(0.9, 1.1);
     let mut airframe = Airframe::mambo();
     airframe.mass *= off();

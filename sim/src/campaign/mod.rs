@@ -4,14 +4,17 @@
 //! |---|---|
 //! | [`dice`] | the scenario of a seed: parameters, trajectory, air, sensors, outages, failures |
 //! | [`outcome`] | how one flight went, as the values of a row |
+//! | [`rare`] | how near a flight came to the limits, for failures too rare to be counted |
 //! | [`tally`] | percentiles and verdicts over all rows |
 //!
 //! A flight depends on its seed and on nothing else. Files, shards and the runs themselves are those of `bessemer-campaign`.
 
 pub mod dice;
 pub mod outcome;
+pub mod rare;
 pub mod tally;
 
+use bessemer_campaign::rare::Rare;
 use bessemer_campaign::{Column, Replay, Value, fingerprint};
 
 use crate::scenario::Scenario;
@@ -133,5 +136,11 @@ impl Campaign for Kind {
     fn replay(&self, seed: u64) -> Replay {
         let command = format!("cargo xtask replay --page --campaign {} --seed {seed}", self.kind());
         Replay { command, link: format!("{STATION}/seed/{}/{seed}", self.kind()) }
+    }
+    fn rare(&self) -> Option<&dyn Rare> {
+        match self {
+            Self::Spread => Some(&rare::Envelope),
+            Self::Failures => None,
+        }
     }
 }

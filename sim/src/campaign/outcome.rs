@@ -73,6 +73,33 @@ fn watched(scenario: &Scenario, mut outcome: Outcome) -> Outcome {
     outcome
 }
 
+/// Flies, and returns how far the aircraft came out of the envelope, as a share of its limits: 0 or more if it left it.
+pub fn severity(scenario: &Scenario) -> f64 {
+    let mut most = f64::NEG_INFINITY;
+    follow(scenario, &mut Native::default(), |moment, _| {
+        most = most.max(strain(moment));
+        most <= 1.0
+    });
+    most - 1.0
+}
+
+/// Returns the largest of tilt, speed, distance and touch-down, each as a share of its limit: more than 1 outside the envelope.
+/// Infinite if a figure of the state is no finite number.
+fn strain(moment: &Moment) -> f64 {
+    let state = &moment.state;
+    if !state.is_finite() {
+        return f64::INFINITY;
+    }
+    let tilt = (state.angles.x.cos() * state.angles.y.cos()).acos();
+    let shares = [
+        tilt / TILT,
+        state.velocity.norm() / SPEED,
+        state.position.amax() / REACH,
+        moment.impact / IMPACT,
+    ];
+    shares.into_iter().fold(f64::NEG_INFINITY, f64::max)
+}
+
 impl Outcome {
     fn new(seed: u64) -> Self {
         Self {
@@ -92,10 +119,7 @@ impl Outcome {
     fn look(&mut self, moment: &Moment) {
         let (state, outputs) = (&moment.state, &moment.outputs);
         self.impact = self.impact.max(moment.impact);
-        let tilt = (state.angles.x.cos() * state.angles.y.cos()).acos();
-        let far = state.position.amax() > REACH;
-        let wild = tilt > TILT || state.velocity.norm() > SPEED || far || moment.impact > IMPACT;
-        if (wild || !state.is_finite()) && self.left.is_infinite() {
+        if strain(moment) > 1.0 && self.left.is_infinite() {
             self.left = moment.time;
         }
         if outputs.alarm != Alarm::Clear && self.stopped.is_infinite() {
