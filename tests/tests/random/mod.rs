@@ -195,8 +195,17 @@ impl Batch {
     /// The programs that a compiler complains of, each with its first complaint; all that are left, if none can be reported.
     fn told(&self, said: &str, workspace: &Workspace) -> BTreeMap<String, String> {
         let mut reasons = BTreeMap::new();
-        let mut title = "";
+        let (mut title, mut shown) = ("", 0);
         for line in said.lines() {
+            if let Some((number, _)) = line.split_once('|') {
+                shown = number.trim().parse().unwrap_or(shown);
+            }
+            // The mistake is in a fixed item, by the argument of a program.
+            if line.ends_with("called here")
+                && let Some(name) = self.at(shown)
+            {
+                reasons.entry(name).or_insert_with(|| title.to_owned());
+            }
             if line.starts_with("error") {
                 title = line;
                 // A claim is refused where its check is: in the library, in a fixed item, or in the program.

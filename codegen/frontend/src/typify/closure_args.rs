@@ -418,7 +418,8 @@ impl<'a> Lowering<'a, '_> {
         let mut names = names.clone();
         names.push(each.into_iter().collect());
         let expanding = if locals.is_some() { expanding } else { &self.expanding }.clone();
-        self.in_names(closure.source, Scope { names, expanding, locals: *locals }, site, lower)
+        let scope = Scope { names, expanding, locals: *locals };
+        self.in_names(closure.source, scope, (site, None), lower)
     }
 
     /// Binds the parameters of a closure: as aliases of the argument places where these do not change. A local of the

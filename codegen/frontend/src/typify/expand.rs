@@ -20,6 +20,7 @@ use super::lowering::{Lowering, Scope, local_since};
 use super::syntax::generates;
 use super::value::Value;
 use super::{Problem, Result, diagnostic, problem, refusals, refused};
+use crate::diagnostic::{Diagnostic, Place};
 use crate::standard;
 
 /// Name of the DSL's crate, whose code is not the author's.
@@ -169,27 +170,39 @@ impl<'a> Lowering<'a, '_> {
         }
         let called = (function.path.as_str(), self.span(site));
         let expanding = [&self.expanding[..], &[called]].concat();
-        self.in_names(
-            function,
-            Scope { names: bound.into_iter().collect(), expanding, locals: None },
-            site,
-            lower,
-        )
+        let scope = Scope { names: bound.into_iter().collect(), expanding, locals: None };
+        let Site(line, column) = site;
+        let call = Place {
+            file: self.source.file.clone(),
+            start: (line, column),
+            label: "called here".to_owned(),
+            ..Place::default()
+        };
+        let call = (!is_ours(self.source)).then_some(call);
+        let first = self.cx.told.len();
+        let done = self.in_names(function, scope, (site, call.clone()), lower);
+        // The error of a function that this one calls: the way to it is a chain of calls.
+        if let (Some(call), Some(errors)) = (call, self.cx.told.get_mut(first..)) {
+            let is_behind = |it: &&mut Diagnostic| it.also.last().is_some_and(|last| *last != call);
+            errors.iter_mut().filter(is_behind).for_each(|it| it.also.push(call.clone()));
+        }
+        done
     }
 
     /// Lowers code of another function in its own scope. An error in it is reported once, at its line; the caller's
-    /// `site` has no message then. An error in a function of the DSL is reported at the author's call.
+    /// `site` has no message then. An error in a function of the DSL is reported at the author's call. An error in a called
+    /// function shows the `call`, too, since it may follow from the arguments.
     pub(super) fn in_names<T>(
         &mut self,
         function: &'a tree::Function,
         Scope { names, expanding, .. }: Scope<'a>,
-        site: Site,
+        (site, call): (Site, Option<Place>),
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
         let source = std::mem::replace(&mut self.source, function);
         let scopes = std::mem::replace(&mut self.scopes, names);
         let expanding = std::mem::replace(&mut self.expanding, expanding);
-        let told = self.cx.told.len();
+        let first = self.cx.told.len();
         let (had, copies) = (self.lenders.problem.is_some(), self.lenders.copied.len());
         let done = lower(self);
         (self.source, self.scopes, self.expanding) = (source, scopes, expanding);
@@ -206,11 +219,12 @@ impl<'a> Lowering<'a, '_> {
                 return problem(site, message, help);
             }
             let known = diagnostic(&function.file, Problem { site: at, message, help });
-            let is_new = told == self.cx.told.len()
+            let is_here = |it: &Diagnostic| Diagnostic { also: Vec::new(), ..it.clone() } == known;
+            let is_new = first == self.cx.told.len()
                 && !known.message.is_empty()
-                && !self.cx.told.contains(&known);
+                && !self.cx.told.iter().any(is_here);
             if is_new {
-                self.cx.told.push(known);
+                self.cx.told.push(Diagnostic { also: call.into_iter().collect(), ..known });
             }
             problem(site, "", "")
         })
