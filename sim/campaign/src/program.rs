@@ -313,17 +313,18 @@ fn add(campaign: &dyn Campaign, path: &Path) -> Result<bool, Error> {
 }
 
 fn rare(campaign: &dyn Campaign, level: usize, json: bool) -> Result<bool, Error> {
-    let found = estimate(campaign, Effort { level, ..Effort::default() })?;
+    let effort = Effort { level, ..Effort::default() };
+    let found = estimate(campaign, effort)?;
     if json {
         let json = serde_json::to_string_pretty(&found);
         println!("{}", json.map_err(|error| Error::Argument(error.to_string()))?);
     } else if found.probability == 0.0 {
-        // The last level that a repetition reaches has one tenth of the probability of the one before it.
-        let levels = Effort::default().levels as i32;
+        // Each level has one tenth of the probability of the one before it, and the last found none.
+        let tenths = effort.levels.saturating_sub(1) as i32;
         println!(
             "no failure in {} runs: its probability is below about {:.0e}, and the worst severity is {:.3}",
             found.runs,
-            0.1_f64.powi(levels - 1),
+            0.1_f64.powi(tenths),
             found.severity
         );
     } else {
