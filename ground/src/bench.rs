@@ -230,8 +230,8 @@ impl Bench {
     }
 
     /// Returns the state of the aircraft.
-    pub fn state(&self) -> &State {
-        &self.world.state
+    pub fn state(&self) -> State {
+        self.world.state()
     }
 
     /// Returns the aircraft.
@@ -248,7 +248,7 @@ impl Bench {
     pub fn inject(&mut self, what: Injection) {
         match what {
             Injection::Motor { number } => {
-                self.world.motors.dead = number.filter(|motor| *motor < 8);
+                self.world.aircraft.plant.motors.dead = number.filter(|motor| *motor < 8);
             }
             Injection::Gyroscope { stuck } => {
                 self.stuck = stuck.then_some(Stuck::Gyroscope);
@@ -260,7 +260,7 @@ impl Bench {
                 air.gusts = bounded(gusts).abs();
             }
             Injection::Back => {
-                self.world.state = self.start;
+                self.world.place(&self.start);
                 self.battery = self.aircraft.battery();
             }
         }
@@ -335,9 +335,9 @@ impl Bench {
         if self.silent >= FAILSAFE {
             self.last.command = models::Command::still();
         }
-        let state = self.world.state;
+        let state = self.world.state();
         let impact = self.world.advance(&self.last.command.speeds);
-        let speeds = self.world.motors.speeds;
+        let speeds = self.world.aircraft.plant.motors.speeds;
         self.battery.draw(&speeds, self.period);
         let moment = Moment { time, state, inputs, outputs: self.last, speeds, impact };
         Ok(Period { number, count, moment, addressee, late })

@@ -6,6 +6,8 @@ use crate::mission::Mission;
 use crate::pilot::Pilot;
 use crate::plant::{Body, Loads, State};
 use crate::vehicle::Vehicle;
+use crate::world::{advance, tick};
+use bessemer_sim::{Input, Integrator, Stepper};
 use models::{Command, Estimate, Parameters, Target};
 
 /// One control period of a flight.
@@ -46,10 +48,13 @@ pub fn fly(
     let count = (mission.duration / period).round() as usize;
     let body = Body { mass: vehicle.mass, inertia: vehicle.inertia };
 
-    let mut state = mission.start;
+    let rest = Input { command: Loads::default(), disturbance: () };
+    let start = mission.start.vector();
+    let mut aircraft = Stepper::new(body, start, rest, tick(period), Integrator::default());
     let mut steps = Vec::with_capacity(count);
     for n in 0..count {
         let time = n as f64 * period;
+        let state = State::from_vector(&aircraft.state);
         let estimate = seen(&state);
         let target = mission.target(time);
         let command = pilot.step(&estimate, &target);
@@ -59,10 +64,10 @@ pub fn fly(
         let squares = command.motors.map(|motor| motor * parameters.mixer.square_per_command);
         let (thrust, torque) = vehicle.loads(squares.as_slice());
         let torque = torque + mission.twist(time);
-        let loads = Loads { thrust, torque, wind: mission.wind };
-        state = state.after(&body, &loads, period);
+        aircraft.input.command = Loads { thrust, torque, wind: mission.wind };
+        advance(&mut aircraft);
     }
-    Flight { steps, end: state }
+    Flight { steps, end: State::from_vector(&aircraft.state) }
 }
 
 /// Returns the estimate of a perfect estimator.

@@ -4,10 +4,10 @@
 //! |---|---|
 //! | [`vehicle`] | a multicopter with any number of motors: forces and torques |
 //! | [`aircraft`] | the aircraft of the testbed, with settings, motors and battery of each |
-//! | [`plant`] | its motion: twelve states, RK4, a floor |
+//! | [`plant`] | its motion: twelve states, a floor |
 //! | [`motors`], [`battery`] | motors that lag, and what they draw |
 //! | [`air`], [`sensors`], [`noise`] | wind, sensors as they are, chance from a seed |
-//! | [`world`] | all of these together, one control period at a time |
+//! | [`world`] | all of these together as a plant of `bessemer_sim`, one control period at a time |
 //! | [`ground_station`] | the other end of the link |
 //! | [`computer`] | whatever can run the onboard software: the models here, their emitted C in `sim/program` |
 //! | [`scenario`], [`voyage`] | a flight before it is flown, and as it was flown |

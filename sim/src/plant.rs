@@ -1,8 +1,8 @@
-//! The aircraft's motion (thesis, eqs. (2.18)–(2.29)): twelve states, RK4, a floor at z = 0.
+//! The aircraft's motion (thesis, eqs. (2.18)–(2.29)): twelve states, a floor at z = 0.
 //!
 //! Knows loads, not motors; and nothing of who commands them.
 
-use bessemer_sim::runge_kutta;
+use bessemer_sim::{Input, Plant};
 use nalgebra::{Matrix3, SVector, Vector3};
 
 /// Acceleration of gravity, m/s².
@@ -69,18 +69,11 @@ impl State {
         self.vector().iter().all(|value| value.is_finite())
     }
 
-    /// Returns the state after `period` seconds: one step of RK4 with constant loads, limited by the floor.
-    pub fn after(&self, body: &Body, loads: &Loads, period: f64) -> State {
-        let slope = |_, at: &SVector<f64, 12>| State::from_vector(at).slope(body, loads);
-        let end = runge_kutta(slope, 0.0, &self.vector(), period);
-        State::from_vector(&end).above_floor()
-    }
-
     /// Derivative of every state (thesis, eqs. (2.17), (2.23), (2.24), (2.28), (2.29)).
     ///
     /// Sines take most of its time, so each is computed once, and of the rotation only the column that the thrust needs. The
     /// bits are those of [`rotation`] and [`angle_rates`].
-    fn slope(&self, body: &Body, loads: &Loads) -> SVector<f64, 12> {
+    pub(crate) fn slope(&self, body: &Body, loads: &Loads) -> SVector<f64, 12> {
         let (s1, c1) = self.angles.x.sin_cos();
         let (s2, c2) = self.angles.y.sin_cos();
         let (s3, c3) = self.angles.z.sin_cos();
@@ -103,7 +96,7 @@ impl State {
     }
 
     /// Applies the floor: the aircraft rests on it until its thrust lifts it.
-    fn above_floor(self) -> State {
+    pub(crate) fn above_floor(self) -> State {
         if self.position.z > 0.0 || self.velocity.z > 0.0 {
             return self;
         }
@@ -114,7 +107,8 @@ impl State {
         }
     }
 
-    fn vector(&self) -> SVector<f64, 12> {
+    /// Returns the twelve numbers in their order.
+    pub fn vector(&self) -> SVector<f64, 12> {
         let mut all = SVector::<f64, 12>::zeros();
         let parts = [self.position, self.angles, self.velocity, self.rates];
         for (n, part) in parts.iter().enumerate() {
@@ -123,8 +117,28 @@ impl State {
         all
     }
 
-    fn from_vector(all: &SVector<f64, 12>) -> State {
+    /// Returns the state of the twelve numbers.
+    pub fn from_vector(all: &SVector<f64, 12>) -> State {
         let part = |n: usize| all.fixed_rows::<3>(3 * n).into_owned();
         State { position: part(0), angles: part(1), velocity: part(2), rates: part(3) }
+    }
+}
+
+/// The body alone, driven by its loads.
+impl Plant<12> for Body {
+    type Command = Loads;
+    type Disturbance = ();
+
+    fn derivative(
+        &self,
+        _: f64,
+        state: &SVector<f64, 12>,
+        input: &Input<Loads, ()>,
+    ) -> SVector<f64, 12> {
+        State::from_vector(state).slope(self, &input.command)
+    }
+
+    fn end(&mut self, _: f64, state: &mut SVector<f64, 12>) {
+        *state = State::from_vector(state).above_floor().vector();
     }
 }

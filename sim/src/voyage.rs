@@ -71,10 +71,11 @@ pub fn follow<C: Computer>(
         let outputs = computer.step(&scenario.settings_at(time), &inputs);
         ground.receive(&outputs.downlink);
 
-        let state = world.state;
-        world.motors.dead = scenario.dead_at(time);
+        let state = world.state();
+        world.aircraft.plant.motors.dead = scenario.dead_at(time);
         let impact = world.advance(&outputs.command.speeds);
-        let moment = Moment { time, state, inputs, outputs, speeds: world.motors.speeds, impact };
+        let speeds = world.aircraft.plant.motors.speeds;
+        let moment = Moment { time, state, inputs, outputs, speeds, impact };
         if !seen(&moment, computer) {
             break;
         }

@@ -44,6 +44,13 @@ impl Tick {
     }
 }
 
+/// A tick of this length, ns.
+impl From<NonZeroU64> for Tick {
+    fn from(length: NonZeroU64) -> Self {
+        Self(length)
+    }
+}
+
 /// Period of something, a whole number of ticks above 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Period(NonZeroU32);

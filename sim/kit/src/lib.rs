@@ -8,6 +8,7 @@
 //! | [`computer`] | the controller under test: a closure, a model, or whatever implements the trait |
 //! | [`scenario`] | goals, disturbances and faults by time |
 //! | [`clock`], [`run`] | periods as whole ticks, and the one order of simultaneous things |
+//! | [`stepper`] | a plant tick by tick, for a loop of your own |
 //! | [`recording`] | named channels with units, as CSV, MCAP or Parquet, and as a picture |
 //! | `plot` | pictures of any points; with the feature `plots` |
 //! | `log` | MCAP files of any topics; with the feature `mcap` |
@@ -86,6 +87,7 @@ pub mod run;
 pub mod scenario;
 pub mod sensor;
 pub mod solver;
+pub mod stepper;
 mod steps;
 pub mod system;
 
@@ -99,5 +101,6 @@ pub use run::{Outcome, Setup};
 pub use scenario::{Fault, FaultKind, Scenario, Timeline};
 pub use sensor::{Channel, Quality, Reading, Sensor, Signal};
 pub use solver::{Integrator, Occurrence, Solver, Tolerances};
+pub use stepper::Stepper;
 pub use steps::runge_kutta;
 pub use system::{State, System};

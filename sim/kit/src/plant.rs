@@ -44,6 +44,19 @@ pub trait Plant<const N: usize> {
     fn handle(&mut self, event: usize, time: f64, state: &mut State<N>) {
         let _ = (event, time, state);
     }
+
+    /// Begins an interval at its start and of its length, both in s, with a constant input.
+    ///
+    /// Here the plant advances the parts that it solves itself: a motor that follows its command by an exponential
+    /// function, a process of chance. The derivative takes them as constant over the interval.
+    fn begin(&mut self, time: f64, length: f64, state: &State<N>, input: &InputOf<Self, N>) {
+        let _ = (time, length, state, input);
+    }
+
+    /// Ends an interval at a time, s. Here the plant limits its states: a floor, a stop.
+    fn end(&mut self, time: f64, state: &mut State<N>) {
+        let _ = (time, state);
+    }
 }
 
 /// A plant at one time, as sensors and probes see it.

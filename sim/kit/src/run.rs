@@ -8,12 +8,13 @@ use std::collections::BTreeSet;
 use crate::clock::{Period, Tick};
 use crate::computer::Computer;
 use crate::error::{Error, positive};
-use crate::plant::{Input, InputOf, Plant, View};
+use crate::plant::{Input, Plant};
 use crate::recording::Recording;
 use crate::scenario::Scenario;
 use crate::sensor::{Channel, Reading, Sampler, Signal};
 use crate::solver::{Integrator, Occurrence, Solver};
-use crate::system::{State, System};
+use crate::stepper::Stepper;
+use crate::system::State;
 
 /// A closed loop of a plant P with N states and S sensors, before it runs.
 pub struct Setup<P: Plant<N>, const N: usize, const S: usize> {
@@ -50,30 +51,6 @@ pub struct Outcome<P, const N: usize> {
     pub state: State<N>,
 }
 
-/// The plant under a constant input.
-struct Driven<'a, P: Plant<N>, const N: usize> {
-    plant: &'a mut P,
-    input: &'a InputOf<P, N>,
-}
-
-impl<P: Plant<N>, const N: usize> System<N> for Driven<'_, P, N> {
-    fn derivative(&self, time: f64, state: &State<N>) -> State<N> {
-        self.plant.derivative(time, state, self.input)
-    }
-
-    fn events(&self) -> usize {
-        self.plant.events()
-    }
-
-    fn crossing(&self, event: usize, time: f64, state: &State<N>) -> f64 {
-        self.plant.crossing(event, time, state, self.input)
-    }
-
-    fn handle(&mut self, event: usize, time: f64, state: &mut State<N>) {
-        self.plant.handle(event, time, state);
-    }
-}
-
 impl<P: Plant<N>, const N: usize, const S: usize> Setup<P, N, S> {
     /// Runs the loop from 0 to the scenario's duration, both included.
     ///
@@ -90,7 +67,7 @@ impl<P: Plant<N>, const N: usize, const S: usize> Setup<P, N, S> {
     ///
     /// A field is out of its range, a name occurs twice, the plant cannot be integrated, or the computer fails.
     pub fn run<G>(
-        mut self,
+        self,
         scenario: &Scenario<G, P::Disturbance>,
         computer: &mut impl Computer<S, G, P::Command>,
     ) -> Result<Outcome<P, N>, Error> {
@@ -102,22 +79,20 @@ impl<P: Plant<N>, const N: usize, const S: usize> Setup<P, N, S> {
         }
         let end = tick.not_before("duration", positive("duration", scenario.duration)?)?;
         let changes = self.changes(scenario)?;
-        let mut integrator = Integrator::new(self.solver)?;
         let mut readings = [Reading::default(); S];
         let mut events = Vec::new();
-        let mut state = self.start;
         let disturbance = scenario.disturbances.at(0.0).clone();
-        let mut input = Input { command: self.command.clone(), disturbance };
-        let mut now = 0;
+        let input = Input { command: self.command, disturbance };
+        let integrator = Integrator::new(self.solver)?;
+        let mut stepper = Stepper::new(self.plant, self.start, input, tick, integrator);
         loop {
-            let time = tick.seconds(now);
-            input.disturbance = scenario.disturbances.at(time).clone();
-            let view = View { time, plant: &self.plant, state: &state, input: &input };
+            let (now, time) = (stepper.now(), stepper.time());
+            stepper.input.disturbance = scenario.disturbances.at(time).clone();
             let due = self.sensors.iter().zip(&mut samplers).zip(&mut readings).enumerate();
             for (index, ((channel, sampler), reading)) in due {
                 let signal = &channel.signal;
                 if channel.period.is_due(now) {
-                    let truth = signal.sensor.measure(&view);
+                    let truth = signal.sensor.measure(&stepper.view());
                     let fault = scenario.fault(&signal.name, time);
                     sampler.sample(&channel.quality, now, truth, fault);
                 }
@@ -129,26 +104,25 @@ impl<P: Plant<N>, const N: usize, const S: usize> Setup<P, N, S> {
             if self.control.is_due(now) {
                 let goal = scenario.goals.at(time);
                 let answer = computer.step(&readings, goal);
-                input.command = answer.map_err(|source| Error::Computer { time, source })?;
+                stepper.input.command =
+                    answer.map_err(|source| Error::Computer { time, source })?;
                 readings.iter_mut().for_each(|reading| reading.is_fresh = false);
             }
             if self.record.is_due(now) {
-                let view = View { time, plant: &self.plant, state: &state, input: &input };
                 for (index, probe) in self.probes.iter().enumerate() {
-                    recording.push(S + index, tick.log_time(now), probe.sensor.measure(&view));
+                    let value = probe.sensor.measure(&stepper.view());
+                    recording.push(S + index, tick.log_time(now), value);
                 }
             }
             if now >= end {
-                return Ok(Outcome { recording, events, plant: self.plant, state });
+                let Stepper { plant, state, .. } = stepper;
+                return Ok(Outcome { recording, events, plant, state });
             }
             let periods = self.sensors.iter().map(|channel| channel.period);
             let periods = periods.chain([self.control, self.record]);
             let due = periods.map(|period| period.next(now)).min().unwrap_or(end);
             let change = changes.range(now + 1..).next().copied().unwrap_or(end);
-            let next = due.min(change).min(end);
-            let mut driven = Driven { plant: &mut self.plant, input: &input };
-            events.extend(integrator.advance(&mut driven, time, &mut state, tick.seconds(next))?);
-            now = next;
+            events.extend(stepper.advance(due.min(change).min(end) - now)?);
         }
     }
 

@@ -107,6 +107,13 @@ pub struct Integrator<const N: usize> {
     armed: Vec<bool>,
 }
 
+/// One step of the classical Runge–Kutta method for each interval.
+impl<const N: usize> Default for Integrator<N> {
+    fn default() -> Self {
+        Self::of(Solver::RungeKutta { step: f64::MAX })
+    }
+}
+
 /// A step that was accepted, with its end in s.
 type Accepted<const N: usize> = (f64, Step<N>);
 
@@ -121,7 +128,11 @@ impl<const N: usize> Integrator<N> {
     /// A step or a tolerance is not above 0.
     pub fn new(solver: Solver) -> Result<Self, Error> {
         solver.check()?;
-        Ok(Self { solver, step: None, armed: Vec::new() })
+        Ok(Self::of(solver))
+    }
+
+    fn of(solver: Solver) -> Self {
+        Self { solver, step: None, armed: Vec::new() }
     }
 
     /// Advances a state from `time` to `until`, both in s; returns the events in order of time.

@@ -107,8 +107,7 @@ impl<const N: usize> Step<N> {
 
 /// Takes one step of the classical Runge–Kutta method, of order 4, of a length in s, and returns the state after it.
 ///
-/// This is the step of [`Solver::RungeKutta`](crate::Solver::RungeKutta), without events: for a loop of your own whose plant is held or
-/// limited between steps.
+/// This is the step of [`Solver::RungeKutta`](crate::Solver::RungeKutta), without events.
 ///
 /// ```
 /// use bessemer_sim::{State, runge_kutta};

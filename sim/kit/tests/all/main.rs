@@ -6,3 +6,4 @@ mod integrators;
 mod loops;
 mod scipy;
 mod sensors;
+mod stepper;
