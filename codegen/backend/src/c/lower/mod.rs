@@ -265,7 +265,7 @@ impl<'a> Lower<'a> {
 
     /// Emits the status of success at the end of a fallible function without a result.
     fn epilogue(&mut self) {
-        let returns = matches!(self.out.last().map(|stmt| &stmt.kind), Some(StmtKind::Return(_)));
+        let returns = self.out.last().is_some_and(stmt::leaves);
         if self.function.result == Type::Unit && self.is_fallible() && !returns {
             self.origin = None;
             self.emit_ok();

@@ -70,6 +70,10 @@ impl Lower<'_> {
                     self.spared.clear();
                 }
             }
+            // Behind a check that always fails nothing runs, and compilers warn of the operation that it is for.
+            if self.out.last().is_some_and(leaves) {
+                break;
+            }
         }
     }
 
@@ -548,6 +552,17 @@ pub(super) fn is_simple(value: &Expr) -> bool {
         Expr::Unary("-" | "*", inner) => is_simple(inner),
         Expr::Member(inner, _) | Expr::Arrow(inner, _) => is_simple(inner),
         Expr::Index(array, index) => is_simple(array) && matches!(**index, Expr::Name(_)),
+        _ => false,
+    }
+}
+
+/// Returns true if control never reaches the end of a statement.
+pub(super) fn leaves(stmt: &Stmt) -> bool {
+    let ends = |block: &Vec<Stmt>| block.last().is_some_and(leaves);
+    match &stmt.kind {
+        StmtKind::Return(_) | StmtKind::Forever => true,
+        StmtKind::Block(body) => ends(body),
+        StmtKind::If { then, otherwise, .. } => ends(then) && ends(otherwise),
         _ => false,
     }
 }

@@ -121,6 +121,7 @@ impl Lower<'_> {
             }
             _ => (self.given(left), self.given(right)),
         };
+        let a = power_base(op, left, right).unwrap_or(a);
         self.arithmetic(op, &left.ty, a, b)
     }
 
@@ -312,5 +313,15 @@ fn both(op: LogicOp, left: Expr, right: Expr) -> Expr {
         (Some(truth), _) if truth == neutral => right,
         (_, Some(truth)) if truth == neutral => left,
         _ => Expr::binary(name, left, right),
+    }
+}
+
+/// Returns the left operand of `2 ^ n` or `10 ^ n` in hexadecimal: compilers warn that in decimal it is taken for a power.
+fn power_base(op: BinaryOp, left: &Ir, right: &Ir) -> Option<Expr> {
+    match (op, &left.kind, &right.kind) {
+        (BinaryOp::Xor, ExprKind::Literal(base @ (2 | 10)), ExprKind::Literal(_)) => {
+            left.ty.as_int().map(|int| literal::hexadecimal(int, (*base).into()))
+        }
+        _ => None,
     }
 }
