@@ -5,8 +5,9 @@
 //! | [`system`], [`solver`] | differential equations with events, and their integrators: fixed steps or tolerances |
 //! | [`plant`] | continuous states that a command and a disturbance drive |
 //! | [`sensor`], [`noise`] | what is measured of them: rates, noise, bias, resolution, losses, all by seed |
+//! | [`packet`] | sensors of several numbers that are late and lost together, for a loop of your own |
 //! | [`computer`] | the controller under test: a closure, a model, or whatever implements the trait |
-//! | [`scenario`] | goals, disturbances and faults by time |
+//! | [`scenario`] | goals, disturbances, faults and events of your own by time |
 //! | [`clock`], [`run`] | periods as whole ticks, and the one order of simultaneous things |
 //! | [`stepper`] | a plant tick by tick, for a loop of your own |
 //! | [`recording`] | named channels with units, as CSV, MCAP or Parquet, and as a picture |
@@ -77,6 +78,7 @@ pub mod error;
 #[cfg(feature = "mcap")]
 pub mod log;
 pub mod noise;
+pub mod packet;
 #[cfg(feature = "parquet")]
 mod parquet;
 pub mod plant;
@@ -95,10 +97,11 @@ pub use clock::{Period, Tick};
 pub use computer::{Computer, Failure};
 pub use error::Error;
 pub use noise::{Chance, Stream};
+pub use packet::{Delivery, Instrument, Numbers, PacketSensor};
 pub use plant::{Input, InputOf, Plant, View};
 pub use recording::{Recorded, Recording};
 pub use run::{Outcome, Setup};
-pub use scenario::{Fault, FaultKind, Scenario, Timeline};
+pub use scenario::{Events, Fault, FaultKind, Pending, Scenario, Timeline};
 pub use sensor::{Channel, Quality, Reading, Sensor, Signal};
 pub use solver::{Integrator, Occurrence, Solver, Tolerances};
 pub use stepper::Stepper;

@@ -101,6 +101,11 @@ impl Stream {
         Self(chacha)
     }
 
+    /// Creates the stream of a name, such as a sensor's. Streams of other names are independent.
+    pub fn named(seed: u64, name: &str) -> Self {
+        Self::new(seed, hash(name))
+    }
+
     /// Returns a normal number with mean 0 and variance 1.
     pub fn normal(&mut self) -> f64 {
         self.0.sample(StandardNormal)

@@ -10,7 +10,7 @@ use crate::computer::Computer;
 use crate::error::{Error, positive};
 use crate::plant::{Input, Plant};
 use crate::recording::Recording;
-use crate::scenario::Scenario;
+use crate::scenario::{Fault, Scenario};
 use crate::sensor::{Channel, Reading, Sampler, Signal};
 use crate::solver::{Integrator, Occurrence, Solver};
 use crate::stepper::Stepper;
@@ -93,7 +93,7 @@ impl<P: Plant<N>, const N: usize, const S: usize> Setup<P, N, S> {
                 let signal = &channel.signal;
                 if channel.period.is_due(now) {
                     let truth = signal.sensor.measure(&stepper.view());
-                    let fault = scenario.fault(&signal.name, time);
+                    let fault = Fault::at(&scenario.faults, &signal.name, time);
                     sampler.sample(&channel.quality, now, truth, fault);
                 }
                 while let Some((arrival, value)) = sampler.arrived(now) {

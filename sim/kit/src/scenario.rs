@@ -1,8 +1,112 @@
-//! A run before it is run: its duration, its goals, its disturbances and its faults by time.
+//! A run before it is run: its duration, its goals, its disturbances, its faults and whatever else happens, by time.
 //!
 //! Plain data; the seed is part of it, so a run depends on nothing else.
 
+use std::cmp::Ordering;
+use std::{slice, vec};
+
 use crate::error::{Error, not_negative, positive};
+
+/// Events of a type of yours by time in s, such as orders of an operator and failures, for a loop of your own.
+///
+/// Invariant: times do not fall, and simultaneous events are in the order in which they were added. An event at NaN or
+/// infinity never happens.
+///
+/// ```
+/// use bessemer_sim::Events;
+///
+/// let mut events: Events<&str> = [(2.0, "land"), (-1.0, "arm"), (0.0, "take off")].into_iter().collect();
+/// events.add(0.0, "start the clock");
+/// let mut pending = events.pending();
+/// assert_eq!(pending.due(-0.5), [(-1.0, "arm")]);
+/// assert_eq!(pending.due(1.0), [(0.0, "take off"), (0.0, "start the clock")]);
+/// assert_eq!(pending.due(1.0), []);
+/// assert_eq!(events.past(2.0).last(), Some(&(2.0, "land")));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Events<E>(Vec<(f64, E)>);
+
+impl<E> Events<E> {
+    /// Adds an event at a time, s, behind those of the same time.
+    pub fn add(&mut self, time: f64, event: E) {
+        let place = self.0.partition_point(|(other, _)| order(*other, time).is_le());
+        self.0.insert(place, (time, event));
+    }
+
+    /// Returns the events up to a time, s, which includes those at that time.
+    pub fn past(&self, time: f64) -> &[(f64, E)] {
+        &self.0[..self.0.partition_point(|(event, _)| *event <= time)]
+    }
+
+    /// Returns the events as a queue, from which a loop takes those that are due.
+    pub fn pending(&self) -> Pending<'_, E> {
+        Pending(&self.0)
+    }
+
+    /// Iterates over the events in order, each with its time, s.
+    pub fn iter(&self) -> slice::Iter<'_, (f64, E)> {
+        self.0.iter()
+    }
+}
+
+/// Returns the order of two times; NaN is behind all others.
+fn order(one: f64, other: f64) -> Ordering {
+    let numbers = one.partial_cmp(&other);
+    numbers.unwrap_or_else(|| one.is_nan().cmp(&other.is_nan()))
+}
+
+impl<E> Default for Events<E> {
+    fn default() -> Self {
+        Self(Vec::new())
+    }
+}
+
+impl<E> Extend<(f64, E)> for Events<E> {
+    fn extend<I: IntoIterator<Item = (f64, E)>>(&mut self, events: I) {
+        self.0.extend(events);
+        self.0.sort_by(|(one, _), (other, _)| order(*one, *other));
+    }
+}
+
+impl<E> FromIterator<(f64, E)> for Events<E> {
+    fn from_iter<I: IntoIterator<Item = (f64, E)>>(events: I) -> Self {
+        let mut all = Self::default();
+        all.extend(events);
+        all
+    }
+}
+
+impl<E> IntoIterator for Events<E> {
+    type Item = (f64, E);
+    type IntoIter = vec::IntoIter<(f64, E)>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
+impl<'a, E> IntoIterator for &'a Events<E> {
+    type Item = &'a (f64, E);
+    type IntoIter = slice::Iter<'a, (f64, E)>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+/// Events that have not happened yet.
+#[derive(Clone, Debug)]
+pub struct Pending<'a, E>(&'a [(f64, E)]);
+
+impl<'a, E> Pending<'a, E> {
+    /// Takes the events up to a time, s, which includes those at that time. Each is returned once, with its own time.
+    pub fn due(&mut self, time: f64) -> &'a [(f64, E)] {
+        let count = self.0.iter().take_while(|(event, _)| *event <= time).count();
+        let (due, rest) = self.0.split_at(count);
+        self.0 = rest;
+        due
+    }
+}
 
 /// Value that changes at known times.
 ///
@@ -10,13 +114,13 @@ use crate::error::{Error, not_negative, positive};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Timeline<T> {
     first: T,
-    changes: Vec<(f64, T)>,
+    changes: Events<T>,
 }
 
 impl<T> Timeline<T> {
     /// Creates a value that never changes.
     pub fn constant(value: T) -> Self {
-        Self { first: value, changes: Vec::new() }
+        Self { first: value, changes: Events::default() }
     }
 
     /// Creates a value that is `first` from time 0 on, and then changes at each time, s.
@@ -33,13 +137,12 @@ impl<T> Timeline<T> {
             }
             before = *time;
         }
-        Ok(Self { first, changes })
+        Ok(Self { first, changes: Events(changes) })
     }
 
     /// Returns the value at a time, s, which includes a change at that time.
     pub fn at(&self, time: f64) -> &T {
-        let past = self.changes.partition_point(|(change, _)| *change <= time);
-        past.checked_sub(1).map_or(&self.first, |index| &self.changes[index].1)
+        self.changes.past(time).last().map_or(&self.first, |(_, value)| value)
     }
 
     /// Returns the times of the changes, s.
@@ -75,6 +178,16 @@ pub struct Fault {
 }
 
 impl Fault {
+    /// Returns the fault of a sensor at a time, s; a drift as its offset at that time.
+    pub fn at(faults: &[Fault], sensor: &str, time: f64) -> Option<FaultKind> {
+        let is_at =
+            |fault: &&Fault| fault.from <= time && time < fault.until && fault.sensor == sensor;
+        faults.iter().find(is_at).map(|fault| match fault.kind {
+            FaultKind::Drift(rate) => FaultKind::Offset(rate * (time - fault.from)),
+            kind => kind,
+        })
+    }
+
     pub(crate) fn check(&self) -> Result<(), Error> {
         not_negative("from", self.from)?;
         match self.kind {
@@ -103,16 +216,4 @@ pub struct Scenario<G, D> {
     pub faults: Vec<Fault>,
     /// Seed of all chance.
     pub seed: u64,
-}
-
-impl<G, D> Scenario<G, D> {
-    /// Returns the fault of a sensor at a time, s; a drift as its offset at that time.
-    pub(crate) fn fault(&self, sensor: &str, time: f64) -> Option<FaultKind> {
-        let is_at =
-            |fault: &&Fault| fault.sensor == sensor && fault.from <= time && time < fault.until;
-        self.faults.iter().find(is_at).map(|fault| match fault.kind {
-            FaultKind::Drift(rate) => FaultKind::Offset(rate * (time - fault.from)),
-            kind => kind,
-        })
-    }
 }

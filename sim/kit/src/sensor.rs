@@ -97,11 +97,11 @@ pub struct Channel<P: Plant<N>, const N: usize> {
     pub quality: Quality,
 }
 
-/// Latest reading of a sensor, as the computer gets it.
+/// Latest reading of a sensor, as the computer gets it: a number, or the numbers of a packet.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reading {
+pub struct Reading<T = f64> {
     /// The latest value, in the sensor's unit; 0 until there is one.
-    pub value: f64,
+    pub value: T,
     /// True if the value arrived after the computer's last step.
     pub is_fresh: bool,
 }

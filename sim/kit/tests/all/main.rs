@@ -2,8 +2,11 @@
 
 mod battery;
 mod drive;
+mod events;
 mod integrators;
 mod loops;
+mod packets;
+mod rover;
 mod scipy;
 mod sensors;
 mod stepper;
