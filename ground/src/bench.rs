@@ -19,7 +19,7 @@ use sim::air::Air;
 use sim::battery::Battery;
 use sim::noise::{Purpose, Stream};
 use sim::plant::State;
-use sim::sensors::{Senses, Stuck};
+use sim::sensors::{Fault, FaultKind, Senses, Sensor};
 use sim::voyage::Moment;
 use sim::world::World;
 use std::collections::VecDeque;
@@ -149,7 +149,7 @@ pub struct Bench {
     bus: UdpSocket,
     computer: Option<SocketAddr>,
     link: Option<SocketAddr>,
-    stuck: Option<Stuck>,
+    faults: Vec<Fault>,
     last: Outputs,
     silent: u64,
     start: State,
@@ -191,7 +191,7 @@ impl Bench {
             bus: UdpSocket::bind((Ipv4Addr::LOCALHOST, 0))?,
             computer: None,
             link: None,
-            stuck: None,
+            faults: Vec::new(),
             last: Outputs::default(),
             silent: 0,
             start,
@@ -251,9 +251,11 @@ impl Bench {
                 self.world.aircraft.plant.motors.dead = number.filter(|motor| *motor < 8);
             }
             Injection::Gyroscope { stuck } => {
-                self.stuck = stuck.then_some(Stuck::Gyroscope);
+                self.set(Sensor::Gyroscope, stuck.then_some(FaultKind::Stuck));
             }
-            Injection::Vicon { away } => self.world.sensors.blind = away,
+            Injection::Vicon { away } => {
+                self.set(Sensor::Vicon, away.then_some(FaultKind::Silent));
+            }
             Injection::Wind { force: [x, y], gusts } => {
                 let air = &mut self.world.wind.air;
                 air.steady = nalgebra::Vector3::new(bounded(x), bounded(y), 0.0);
@@ -264,6 +266,13 @@ impl Bench {
                 self.battery = self.aircraft.battery();
             }
         }
+    }
+
+    /// Sets or clears the fault of a sensor.
+    fn set(&mut self, sensor: Sensor, kind: Option<FaultKind>) {
+        self.faults.retain(|fault| fault.sensor != sensor.name());
+        let always = |kind| sensor.fault(kind, f64::NEG_INFINITY, f64::INFINITY);
+        self.faults.extend(kind.map(always));
     }
 
     /// Runs one period. Waits for the answer until `deadline`; without a deadline, as long as the software `runs`.
@@ -278,7 +287,7 @@ impl Bench {
         let number = self.timing.periods;
         self.timing.periods += 1;
         let time = number as f64 * self.period;
-        let mut readings = self.world.sense(number as usize, time, self.stuck);
+        let mut readings = self.world.sense(number, |sensor| Fault::at(&self.faults, sensor, time));
         readings.vicon = self.captured(number, time, &readings.vicon, deadline.is_some());
         let clock = 1_000_000 + number * (1e6 * self.period).round() as u64;
         let begun = Instant::now();
@@ -359,7 +368,8 @@ impl Bench {
             true => receiver.await_next(Instant::now() + ANSWER_TIMEOUT),
             false => receiver.take(),
         };
-        if self.world.sensors.blind { Vicon::default() } else { seen }
+        let is_away = Fault::at(&self.faults, Sensor::Vicon.name(), time).is_some();
+        if is_away { Vicon::default() } else { seen }
     }
 
     /// Returns true if the software has answered lately.

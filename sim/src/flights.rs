@@ -11,7 +11,7 @@ use crate::ground_station::Order;
 use crate::identify::known::{self, worst_off};
 use crate::measure::{Step, hover_speed};
 use crate::plant::State;
-use crate::scenario::{Failure, Scenario, point};
+use crate::scenario::{Event, Failure, Scenario, point};
 use crate::voyage::Voyage;
 use models::airframe::MAX_MOTORS;
 use models::receiver::Sticks;
@@ -340,19 +340,17 @@ fn mistaken_checks(scenario: &Scenario, voyage: &Voyage, expected: f64) -> Vec<C
 
 fn manual() -> Scenario {
     let mut scenario = Scenario::mambo(&[point(0.0, 0.0, 0.0, 0.8, 0.0)], 22.0, Mode::ClosedLoop);
-    let landing = scenario.orders.pop();
-    scenario.orders.push((8.0, Order::Mode(Mode::Manual)));
+    scenario.order(8.0, Order::Mode(Mode::Manual));
     let sticks = |from: f64, roll, pitch, yaw_rate, climb| {
-        let order = Order::Sticks(Sticks { lean: Vector2::new(roll, pitch), yaw_rate, climb });
-        (0..10).map(move |n| (from + 0.1 * f64::from(n), order.clone()))
+        let sticks = Sticks { lean: Vector2::new(roll, pitch), yaw_rate, climb };
+        (0..10).map(move |n| (from + 0.1 * f64::from(n), Event::Order(Order::Sticks(sticks))))
     };
-    scenario.orders.extend(sticks(9.0, 0.0, 0.0, 0.0, 0.3));
-    scenario.orders.extend(sticks(10.0, 0.0, 0.05, 0.0, 0.0));
-    scenario.orders.extend(sticks(11.0, 0.0, -0.05, 0.0, 0.0));
-    scenario.orders.extend(sticks(12.0, 0.0, 0.0, 0.8, 0.0));
+    scenario.events.extend(sticks(9.0, 0.0, 0.0, 0.0, 0.3));
+    scenario.events.extend(sticks(10.0, 0.0, 0.05, 0.0, 0.0));
+    scenario.events.extend(sticks(11.0, 0.0, -0.05, 0.0, 0.0));
+    scenario.events.extend(sticks(12.0, 0.0, 0.0, 0.8, 0.0));
     // Then nobody touches them any more, and the closed loop takes over again.
-    scenario.orders.push((16.0, Order::Mode(Mode::ClosedLoop)));
-    scenario.orders.extend(landing);
+    scenario.order(16.0, Order::Mode(Mode::ClosedLoop));
     scenario
 }
 
@@ -373,7 +371,7 @@ fn manual_checks(_: &Scenario, voyage: &Voyage) -> Vec<Check> {
 fn vicon_lost() -> Scenario {
     let points = [point(0.0, 0.0, 0.0, 1.0, 0.0), point(14.0, 0.0, 0.0, 1.5, 0.0)];
     let mut scenario = Scenario::mambo(&points, 28.0, Mode::ClosedLoop);
-    scenario.senses.outages = vec![(10.0, 20.0)];
+    scenario.hide(10.0, 20.0);
     scenario
 }
 
@@ -396,7 +394,7 @@ fn oldest_vicon(voyage: &Voyage) -> f64 {
 
 fn motor_failure() -> Scenario {
     let mut scenario = Scenario::mambo(&[point(0.0, 0.0, 0.0, 1.0, 0.0)], 14.0, Mode::ClosedLoop);
-    scenario.failure = Some((10.0, Failure::Motor(2)));
+    scenario.fail(10.0, Failure::Motor(2));
     scenario
 }
 
@@ -492,7 +490,7 @@ fn chance_checks(_: &Scenario, voyage: &Voyage) -> Vec<Check> {
 }
 
 fn failing_checks(scenario: &Scenario, voyage: &Voyage) -> Vec<Check> {
-    let broke = scenario.failure.map_or(f64::INFINITY, |(at, _)| at);
+    let broke = scenario.failure().map_or(f64::INFINITY, |(at, _)| at);
     let stopped = voyage.alarm().map_or(f64::INFINITY, |(at, _)| at);
     vec![Check::reported("broke at", broke, "s"), Check::reported("stopped at", stopped, "s")]
 }

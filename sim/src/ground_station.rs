@@ -1,6 +1,6 @@
 //! A simulated ground station, which sends commands and receives telemetry.
 //!
-//! It converts commands to packets, at most one in a period, in the order of their times, and assembles the records
+//! It converts commands to packets, at most one in a period, in their order, and assembles the records
 //! of the onboard logger. Written from the description of the packets, not with the models' code.
 
 use models::packet::Packet;
@@ -189,7 +189,6 @@ impl Collector {
 /// The simulated ground station of one flight.
 #[derive(Clone, Debug, Default)]
 pub struct GroundStation {
-    orders: VecDeque<(f64, Order)>,
     packets: VecDeque<Packet>,
     framer: Framer,
     collector: Collector,
@@ -198,18 +197,13 @@ pub struct GroundStation {
 }
 
 impl GroundStation {
-    /// Creates a ground station with commands, each with its time, s.
-    pub fn new(orders: &[(f64, Order)]) -> Self {
-        Self { orders: orders.iter().cloned().collect(), ..Self::default() }
+    /// Queues the packets of a command.
+    pub fn order(&mut self, order: &Order) {
+        self.packets.extend(self.framer.frame(order));
     }
 
-    /// Returns the packet to send in the period that begins at `time`, s.
-    pub fn send(&mut self, time: f64) -> Packet {
-        while self.orders.front().is_some_and(|(at, _)| *at <= time) {
-            if let Some((_, order)) = self.orders.pop_front() {
-                self.packets.extend(self.framer.frame(&order));
-            }
-        }
+    /// Returns the packet to send in the next period; an empty one if nothing is queued.
+    pub fn send(&mut self) -> Packet {
         self.packets.pop_front().unwrap_or_default()
     }
 

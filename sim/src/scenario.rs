@@ -1,14 +1,16 @@
 //! A flight before it is flown: the true aircraft, the software's settings, the ground's commands, the air, the
 //! sensors, and failures.
 //!
-//! Plain data: a flight depends on nothing else, and the seed is part of it.
+//! Plain data: a flight depends on nothing else, and the seed is part of it. Commands and failures are events of
+//! `bessemer_sim`, and outages of a sensor are faults of it.
 
 use crate::air::Air;
 use crate::ground_station::Order;
 use crate::plant::State;
-use crate::sensors::{Senses, Stuck};
+use crate::sensors::{Senses, Sensor};
+use bessemer_sim::{Events, Fault, FaultKind};
 use models::trajectory::SetPoint;
-use models::{Airframe, Mode, Settings};
+use models::{Airframe, Mode, Parameters, Settings};
 use nalgebra::Vector3;
 
 /// Time on the ground before take-off, in which the estimator settles, s. Flights count from take-off.
@@ -20,9 +22,18 @@ pub enum Failure {
     /// A motor stops.
     Motor(usize),
     /// A sensor sticks.
-    Sensor(Stuck),
+    Sensor(Sensor),
     /// A gain changes its sign.
     Gain(Gain),
+}
+
+/// An event of a flight.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Event {
+    /// A command of the ground station.
+    Order(Order),
+    /// A failure, which stays.
+    Failure(Failure),
 }
 
 /// A gain whose sign can change.
@@ -51,14 +62,14 @@ pub struct Scenario {
     pub lag: f64,
     /// Initial state.
     pub start: State,
-    /// Commands of the ground station, in order of time.
-    pub orders: Vec<(f64, Order)>,
+    /// Commands of the ground station and failures; times count from take-off.
+    pub events: Events<Event>,
     /// Properties of the air.
     pub air: Air,
     /// Quality of the sensors.
     pub senses: Senses,
-    /// Failure and its time, s.
-    pub failure: Option<(f64, Failure)>,
+    /// Faults of the sensors from the start on, such as the times in which Vicon does not see the aircraft.
+    pub faults: Vec<Fault>,
     /// Seed of all randomness.
     pub seed: u64,
 }
@@ -77,56 +88,61 @@ impl Scenario {
                 angles: Vector3::new(0.01, -0.01, 0.05),
                 ..State::default()
             },
-            orders: vec![
+            events: [
                 (-LEAD, Order::Hello),
                 (-LEAD, Order::Mode(mode)),
                 (-LEAD, Order::Fly(points.to_vec())),
                 (0.0, Order::TakeOff),
                 (landing, Order::Land),
-            ],
+            ]
+            .map(|(time, order)| (time, Event::Order(order)))
+            .into_iter()
+            .collect(),
             air: Air { steady: Vector3::zeros(), gusts: 0.001, memory: 0.5 },
             senses: Senses::usual(),
-            failure: None,
+            faults: Vec::new(),
             seed: 1,
         }
     }
 
-    /// Returns the settings at a time, s.
-    pub fn settings_at(&self, time: f64) -> Settings {
-        let mut settings = self.settings;
-        if let Some((at, Failure::Gain(gain))) = self.failure
-            && time >= at
-        {
-            let parameters = &mut settings.parameters;
-            let all = match gain {
-                Gain::Roll => &mut parameters.roll,
-                Gain::Pitch => &mut parameters.pitch,
-                Gain::Height => &mut parameters.height,
-                Gain::Along => {
-                    parameters.x.p = -parameters.x.p;
-                    parameters.x.d = -parameters.x.d;
-                    return settings;
-                }
-            };
-            (all.p, all.i, all.d) = (-all.p, -all.i, -all.d);
-        }
-        settings
+    /// Adds a command of the ground station at a time, s.
+    pub fn order(&mut self, time: f64, order: Order) {
+        self.events.add(time, Event::Order(order));
     }
 
-    /// Returns the sensor that is stuck at a time, s.
-    pub fn stuck_at(&self, time: f64) -> Option<Stuck> {
-        match self.failure {
-            Some((at, Failure::Sensor(sensor))) if time >= at => Some(sensor),
-            _ => None,
-        }
+    /// Adds a failure at a time, s.
+    pub fn fail(&mut self, time: f64, failure: Failure) {
+        self.events.add(time, Event::Failure(failure));
     }
 
-    /// Returns the motor that has stopped by a time, s.
-    pub fn dead_at(&self, time: f64) -> Option<usize> {
-        match self.failure {
-            Some((at, Failure::Motor(motor))) if time >= at => Some(motor),
-            _ => None,
-        }
+    /// Hides the aircraft from Vicon between two times, s.
+    pub fn hide(&mut self, from: f64, until: f64) {
+        self.faults.push(Sensor::Vicon.fault(FaultKind::Silent, from, until));
+    }
+
+    /// Returns the first failure and its time, s.
+    pub fn failure(&self) -> Option<(f64, Failure)> {
+        self.events.iter().find_map(|(time, event)| match event {
+            Event::Failure(failure) => Some((*time, *failure)),
+            Event::Order(_) => None,
+        })
+    }
+}
+
+impl Gain {
+    /// Changes the sign of the gain.
+    pub fn reverse(self, parameters: &mut Parameters) {
+        let all = match self {
+            Gain::Roll => &mut parameters.roll,
+            Gain::Pitch => &mut parameters.pitch,
+            Gain::Height => &mut parameters.height,
+            Gain::Along => {
+                parameters.x.p = -parameters.x.p;
+                parameters.x.d = -parameters.x.d;
+                return;
+            }
+        };
+        (all.p, all.i, all.d) = (-all.p, -all.i, -all.d);
     }
 }
 

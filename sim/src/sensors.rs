@@ -1,28 +1,26 @@
-//! Real sensors: noise, bias, delay, drop-outs, outliers, individual rates, and resolution.
+//! The aircraft's sensors: packet sensors of `bessemer_sim`, with the quantities of this aircraft, their errors, and counts.
 //!
 //! They get the true state and return the readings. They do not know how these are used.
 
 use crate::noise::{Purpose, Stream};
 use crate::plant::{State, rotation};
+use bessemer_sim::{Delivery, Instrument, Numbers, PacketSensor, Period, Plant, View};
+pub use bessemer_sim::{Fault, FaultKind};
 use models::calibration::{Calibration, Echo, Flow, Inertial, Readings, Vicon};
 use nalgebra::Vector3;
-use std::collections::VecDeque;
+use std::num::NonZeroU32;
 
 /// Quality of one sensor.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
-    /// Number of control periods between two readings.
-    pub every: usize,
-    /// Delay of a reading, in control periods.
-    pub delay: usize,
+    /// Rate, age and losses of its packets, in control periods.
+    pub delivery: Delivery,
     /// Standard deviation of the noise, in the sensor's unit.
     pub noise: f64,
     /// Standard deviation of the bias, constant over a flight, in the same unit.
     pub bias: f64,
-    /// Probability that a reading is lost.
-    pub lost: f64,
     /// Probability that a reading is an outlier.
-    pub nonsense: f64,
+    pub outliers: f64,
 }
 
 /// Quality of all sensors.
@@ -30,7 +28,7 @@ pub struct Quality {
 pub struct Senses {
     /// The gyroscope, rad/s.
     pub gyroscope: Quality,
-    /// The accelerometer, m/s².
+    /// The accelerometer, m/s². It is in the gyroscope's packet, and has its delivery.
     pub accelerometer: Quality,
     /// The altimeter, m.
     pub altimeter: Quality,
@@ -40,29 +38,23 @@ pub struct Senses {
     pub vicon: Quality,
     /// Noise of Vicon's angles, rad.
     pub vicon_angles: f64,
-    /// Intervals in which Vicon does not see the aircraft: start and end, s.
-    pub outages: Vec<(f64, f64)>,
 }
 
 impl Senses {
     /// The quality of a small quadcopter's sensors, in a room with Vicon.
     pub fn usual() -> Self {
-        let every = |every, delay, noise, bias| Quality {
-            every,
-            delay,
-            noise,
-            bias,
-            lost: 0.01,
-            nonsense: 0.0,
+        let every = |ticks, age, noise, bias| {
+            let period = Period::from(NonZeroU32::new(ticks).unwrap_or(NonZeroU32::MIN));
+            let delivery = Delivery { period, age, dropout: 0.01 };
+            Quality { delivery, noise, bias, outliers: 0.0 }
         };
         Self {
             gyroscope: every(1, 0, 0.008, 0.01),
             accelerometer: every(1, 0, 0.08, 0.1),
-            altimeter: Quality { nonsense: 0.01, ..every(5, 4, 0.008, 0.0) },
+            altimeter: Quality { outliers: 0.01, ..every(5, 4, 0.008, 0.0) },
             camera: every(4, 2, 0.03, 0.005),
-            vicon: Quality { nonsense: 0.002, ..every(2, 2, 0.001, 0.0) },
+            vicon: Quality { outliers: 0.002, ..every(2, 2, 0.001, 0.0) },
             vicon_angles: 0.003,
-            outages: Vec::new(),
         }
     }
 
@@ -84,171 +76,232 @@ impl Senses {
     }
 }
 
-/// A sensor that can get stuck: it then repeats its last reading.
+/// A sensor that can fail alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stuck {
+pub enum Sensor {
     /// The gyroscope.
     Gyroscope,
     /// The accelerometer.
     Accelerometer,
     /// The altimeter.
     Altimeter,
+    /// The camera.
+    Camera,
     /// Vicon.
     Vicon,
+}
+
+impl Sensor {
+    /// Returns the name by which faults find the sensor.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Gyroscope => "gyroscope",
+            Self::Accelerometer => "accelerometer",
+            Self::Altimeter => "altimeter",
+            Self::Camera => "camera",
+            Self::Vicon => "vicon",
+        }
+    }
+
+    /// Returns a fault of the sensor between two times, s.
+    pub fn fault(self, kind: FaultKind, from: f64, until: f64) -> Fault {
+        Fault { sensor: self.name().to_owned(), from, until, kind }
+    }
 }
 
 /// The sensors of one flight.
 #[derive(Clone, Debug)]
 pub struct Sensors {
-    senses: Senses,
     scales: Calibration,
-    gyroscope_bias: Vector3<f64>,
-    accelerometer_bias: Vector3<f64>,
-    camera_bias: Vector3<f64>,
-    past: VecDeque<State>,
-    streams: [Stream; 4],
-    last: Readings,
-    before: State,
-    /// True if Vicon is covered, independently of the outages.
-    pub blind: bool,
+    inertial: PacketSensor<InertialUnit, 6>,
+    altimeter: PacketSensor<Altimeter, 1>,
+    camera: PacketSensor<Camera, 3>,
+    vicon: PacketSensor<MotionCapture, 6>,
 }
 
 impl Sensors {
-    /// Creates the sensors with a seed.
-    pub fn new(senses: &Senses, seed: u64) -> Self {
-        let purposes = [Purpose::Inertial, Purpose::Altimeter, Purpose::Camera, Purpose::Vicon];
-        let mut streams = purposes.map(|purpose| Stream::new(seed, purpose));
-        let gyroscope_bias = streams[0].normals() * senses.gyroscope.bias;
-        let accelerometer_bias = streams[0].normals() * senses.accelerometer.bias;
-        let camera_bias = streams[2].normals() * senses.camera.bias;
-        Self {
-            senses: senses.clone(),
-            scales: Calibration::mambo(),
-            gyroscope_bias,
-            accelerometer_bias,
-            camera_bias,
-            past: VecDeque::new(),
-            streams,
-            last: Readings::default(),
-            before: State::default(),
-            blind: false,
-        }
+    /// Creates the sensors, which are read with a period in s, with a seed.
+    pub fn new(senses: &Senses, period: f64, seed: u64) -> Self {
+        let chance = |purpose: Purpose| Stream::new(seed, purpose);
+        let unit = InertialUnit::new(senses, period, chance(Purpose::Inertial));
+        let names = [Sensor::Gyroscope, Sensor::Accelerometer].map(|sensor| [sensor.name(); 3]);
+        let [[a, b, c], [d, e, f]] = names;
+        // The unit draws its losses itself: it has noise in lost packets, too.
+        let delivery = Delivery { dropout: 0.0, ..senses.gyroscope.delivery };
+        let inertial = PacketSensor::new([a, b, c, d, e, f], unit.0, delivery, unit.1);
+
+        let altimeter = PacketSensor::new(
+            [Sensor::Altimeter.name()],
+            Altimeter(senses.altimeter),
+            senses.altimeter.delivery,
+            chance(Purpose::Altimeter),
+        );
+        let mut stream = chance(Purpose::Camera);
+        let bias = stream.normals() * senses.camera.bias;
+        let camera = PacketSensor::new(
+            [Sensor::Camera.name(); 3],
+            Camera { noise: senses.camera.noise, bias },
+            senses.camera.delivery,
+            stream,
+        );
+        let vicon = PacketSensor::new(
+            [Sensor::Vicon.name(); 6],
+            MotionCapture { position: senses.vicon, angles: senses.vicon_angles },
+            senses.vicon.delivery,
+            chance(Purpose::Vicon),
+        );
+        Self { scales: Calibration::mambo(), inertial, altimeter, camera, vicon }
     }
 
-    /// Returns the readings in the control period `n`, which begins at `time`, s.
-    pub fn read(
+    /// Returns the readings in the control period `n`; `fault` returns the present fault of a sensor by its name.
+    pub fn read<P: Plant<12>>(
         &mut self,
-        n: usize,
-        time: f64,
-        period: f64,
-        state: &State,
-        stuck: Option<Stuck>,
+        n: u64,
+        view: &View<'_, P, 12>,
+        fault: impl Fn(&str) -> Option<FaultKind>,
     ) -> Readings {
-        self.past.push_front(*state);
-        self.past.truncate(16);
+        let scales = &self.scales;
+        let inertial = self.inertial.read(n, view, &fault);
         let mut readings = Readings {
-            inertial: self.inertial(state, period),
-            echo: self.echo(n),
-            flow: self.flow(n),
-            vicon: self.vicon(n, time),
+            inertial: Inertial {
+                fresh: inertial.is_fresh,
+                gyroscope: counts(&(first(&inertial.value) / scales.gyroscope_scale)),
+                accelerometer: counts(&(second(&inertial.value) / scales.accelerometer_scale)),
+            },
+            ..Readings::default()
         };
-        match stuck {
-            Some(Stuck::Gyroscope) => readings.inertial.gyroscope = self.last.inertial.gyroscope,
-            Some(Stuck::Accelerometer) => {
-                readings.inertial.accelerometer = self.last.inertial.accelerometer;
-            }
-            Some(Stuck::Altimeter) => readings.echo.delay = self.last.echo.delay,
-            Some(Stuck::Vicon) => {
-                readings.vicon.position = self.last.vicon.position;
-                readings.vicon.angles = self.last.vicon.angles;
-            }
-            None => {}
+        let altimeter = self.altimeter.read(n, view, &fault);
+        if altimeter.is_fresh {
+            let delay = 2e6 * altimeter.value.x.max(0.0) / scales.sound;
+            readings.echo = Echo { fresh: true, delay: delay.round() as u32 };
         }
-        self.remember(&readings);
-        self.before = *state;
+        let camera = self.camera.read(n, view, &fault);
+        if camera.is_fresh {
+            let [x, y, _] = counts(&(camera.value / scales.flow_scale));
+            readings.flow = Flow { fresh: true, velocity: [x, y] };
+        }
+        let vicon = self.vicon.read(n, view, &fault);
+        if vicon.is_fresh {
+            let (position, angles) = (first(&vicon.value), second(&vicon.value));
+            readings.vicon = Vicon { fresh: true, position, angles };
+        }
         readings
     }
+}
 
-    /// Keeps the last reading of each sensor.
-    fn remember(&mut self, readings: &Readings) {
-        if readings.inertial.fresh {
-            self.last.inertial = readings.inertial;
-        }
-        if readings.echo.fresh {
-            self.last.echo = readings.echo;
-        }
-        if readings.vicon.fresh {
-            self.last.vicon = readings.vicon;
-        }
+/// Gyroscope, rad/s, and accelerometer, m/s².
+#[derive(Clone, Debug)]
+struct InertialUnit {
+    /// Period between two readings, s.
+    period: f64,
+    /// Velocity at the last reading, m/s.
+    before: Vector3<f64>,
+    bias: Numbers<6>,
+    noise: Numbers<6>,
+    dropout: f64,
+}
+
+impl InertialUnit {
+    /// Draws the biases; returns the unit and its chance.
+    fn new(senses: &Senses, period: f64, mut chance: Stream) -> (Self, Stream) {
+        let (gyroscope, accelerometer) = (senses.gyroscope, senses.accelerometer);
+        let each = |gyroscope, accelerometer| {
+            joined(&Vector3::repeat(gyroscope), &Vector3::repeat(accelerometer))
+        };
+        let bias = chance.normals::<6>().component_mul(&each(gyroscope.bias, accelerometer.bias));
+        let noise = each(gyroscope.noise, accelerometer.noise);
+        let dropout = gyroscope.delivery.dropout;
+        (Self { period, before: Vector3::zeros(), bias, noise, dropout }, chance)
     }
+}
 
-    /// Returns the state some periods ago.
-    fn earlier(&self, delay: usize) -> State {
-        self.past.get(delay).or(self.past.back()).copied().unwrap_or_default()
-    }
-
-    fn inertial(&mut self, state: &State, period: f64) -> Inertial {
-        let (gyroscope, accelerometer) = (self.senses.gyroscope, self.senses.accelerometer);
-        let stream = &mut self.streams[0];
-        let fresh = !stream.happens(gyroscope.lost);
-        let rates = state.rates + self.gyroscope_bias + stream.normals() * gyroscope.noise;
+impl<P: Plant<12>> Instrument<P, 12, 6> for InertialUnit {
+    fn measure(&mut self, view: &View<'_, P, 12>) -> Numbers<6> {
+        let state = State::from_vector(view.state);
         let weight = Vector3::new(0.0, 0.0, models::airframe::GRAVITY);
-        let felt = (state.velocity - self.before.velocity) / period + weight;
-        let force = rotation(&state.angles).transpose() * felt
-            + self.accelerometer_bias
-            + stream.normals() * accelerometer.noise;
-        Inertial {
-            fresh,
-            gyroscope: counts(&(rates / self.scales.gyroscope_scale)),
-            accelerometer: counts(&(force / self.scales.accelerometer_scale)),
-        }
+        let felt = (state.velocity - self.before) / self.period + weight;
+        self.before = state.velocity;
+        joined(&state.rates, &(rotation(&state.angles).transpose() * felt))
     }
 
-    fn echo(&mut self, n: usize) -> Echo {
-        let quality = self.senses.altimeter;
-        let state = self.earlier(quality.delay);
-        let stream = &mut self.streams[1];
-        if !n.is_multiple_of(quality.every) || stream.happens(quality.lost) {
-            return Echo::default();
-        }
-        let upright = state.angles.x.cos() * state.angles.y.cos();
-        let mut distance = state.position.z / upright.max(0.2) + quality.noise * stream.normal();
-        if stream.happens(quality.nonsense) {
-            distance = stream.between(0.0, 6.0);
-        }
-        let delay = 2e6 * distance.max(0.0) / self.scales.sound;
-        Echo { fresh: true, delay: delay.round() as u32 }
+    fn packet(&mut self, truth: Numbers<6>, chance: &mut Stream) -> Option<Numbers<6>> {
+        let is_lost = chance.happens(self.dropout);
+        let noisy = truth + self.bias + chance.normals::<6>().component_mul(&self.noise);
+        (!is_lost).then_some(noisy)
+    }
+}
+
+/// Distance to the ground along the body's z, m.
+#[derive(Clone, Debug)]
+struct Altimeter(Quality);
+
+impl<P: Plant<12>> Instrument<P, 12, 1> for Altimeter {
+    fn measure(&mut self, view: &View<'_, P, 12>) -> Numbers<1> {
+        let State { position, angles, .. } = State::from_vector(view.state);
+        let upright = angles.x.cos() * angles.y.cos();
+        [position.z / upright.max(0.2)].into()
     }
 
-    fn flow(&mut self, n: usize) -> Flow {
-        let quality = self.senses.camera;
-        let state = self.earlier(quality.delay);
-        let stream = &mut self.streams[2];
-        if !n.is_multiple_of(quality.every) || stream.happens(quality.lost) {
-            return Flow::default();
-        }
-        let noise = stream.normals() * quality.noise + self.camera_bias;
-        let seen = rotation(&state.angles).transpose() * state.velocity + noise;
-        let [x, y, _] = counts(&(seen / self.scales.flow_scale));
-        Flow { fresh: true, velocity: [x, y] }
+    fn packet(&mut self, truth: Numbers<1>, chance: &mut Stream) -> Option<Numbers<1>> {
+        let noisy = truth + chance.normals() * self.0.noise;
+        let is_outlier = chance.happens(self.0.outliers);
+        Some(if is_outlier { [chance.between(0.0, 6.0)].into() } else { noisy })
+    }
+}
+
+/// Velocity in the body frame, m/s, of which the camera sees x and y.
+#[derive(Clone, Debug)]
+struct Camera {
+    noise: f64,
+    bias: Vector3<f64>,
+}
+
+impl<P: Plant<12>> Instrument<P, 12, 3> for Camera {
+    fn measure(&mut self, view: &View<'_, P, 12>) -> Numbers<3> {
+        let State { velocity, angles, .. } = State::from_vector(view.state);
+        rotation(&angles).transpose() * velocity
     }
 
-    fn vicon(&mut self, n: usize, time: f64) -> Vicon {
-        let quality = self.senses.vicon;
-        let state = self.earlier(quality.delay);
-        let away = self.senses.outages.iter().any(|(from, to)| (*from..*to).contains(&time));
-        let stream = &mut self.streams[3];
-        if away || self.blind || !n.is_multiple_of(quality.every) || stream.happens(quality.lost) {
-            return Vicon::default();
-        }
-        let mut position = state.position + stream.normals() * quality.noise;
-        let angles = state.angles + stream.normals() * self.senses.vicon_angles;
-        if stream.happens(quality.nonsense) {
+    fn packet(&mut self, truth: Numbers<3>, chance: &mut Stream) -> Option<Numbers<3>> {
+        Some(truth + (chance.normals() * self.noise + self.bias))
+    }
+}
+
+/// Position in the inertial frame, m, and Euler angles, rad.
+#[derive(Clone, Debug)]
+struct MotionCapture {
+    position: Quality,
+    /// Noise of the angles, rad.
+    angles: f64,
+}
+
+impl<P: Plant<12>> Instrument<P, 12, 6> for MotionCapture {
+    fn measure(&mut self, view: &View<'_, P, 12>) -> Numbers<6> {
+        let State { position, angles, .. } = State::from_vector(view.state);
+        joined(&position, &angles)
+    }
+
+    fn packet(&mut self, truth: Numbers<6>, chance: &mut Stream) -> Option<Numbers<6>> {
+        let mut position = first(&truth) + chance.normals() * self.position.noise;
+        let angles = second(&truth) + chance.normals() * self.angles;
+        if chance.happens(self.position.outliers) {
             // It takes something else for the aircraft.
-            position += stream.normals();
+            position += chance.normals();
         }
-        Vicon { fresh: true, position, angles }
+        Some(joined(&position, &angles))
     }
+}
+
+fn joined(first: &Vector3<f64>, second: &Vector3<f64>) -> Numbers<6> {
+    [first.x, first.y, first.z, second.x, second.y, second.z].into()
+}
+
+fn first(numbers: &Numbers<6>) -> Vector3<f64> {
+    numbers.fixed_rows::<3>(0).into_owned()
+}
+
+fn second(numbers: &Numbers<6>) -> Vector3<f64> {
+    numbers.fixed_rows::<3>(3).into_owned()
 }
 
 /// Converts three values to the counts of a 16-bit sensor.

@@ -5,8 +5,9 @@
 use crate::computer::Computer;
 use crate::ground_station::{GroundStation, Record};
 use crate::plant::State;
-use crate::scenario::{LEAD, Scenario};
+use crate::scenario::{Event, Failure, LEAD, Scenario};
 use crate::world::World;
+use bessemer_sim::{Fault, FaultKind};
 use models::{Inputs, Outputs};
 use nalgebra::SVector;
 
@@ -60,19 +61,32 @@ pub fn follow<C: Computer>(
             &scenario.senses,
             scenario.seed,
         );
-    let mut ground = GroundStation::new(&scenario.orders);
+    let mut ground = GroundStation::default();
+    let (mut settings, mut faults) = (scenario.settings, scenario.faults.clone());
+    let mut pending = scenario.events.pending();
 
     for n in 0..count {
         let time = n as f64 * period - LEAD;
-        let readings = world.sense(n, time, scenario.stuck_at(time));
+        for (at, event) in pending.due(time) {
+            match event {
+                Event::Order(order) => ground.order(order),
+                Event::Failure(Failure::Motor(motor)) => {
+                    world.aircraft.plant.motors.dead = Some(*motor);
+                }
+                Event::Failure(Failure::Sensor(sensor)) => {
+                    faults.push(sensor.fault(FaultKind::Stuck, *at, f64::INFINITY));
+                }
+                Event::Failure(Failure::Gain(gain)) => gain.reverse(&mut settings.parameters),
+            }
+        }
+        let readings = world.sense(n as u64, |sensor| Fault::at(&faults, sensor, time));
         let clock = 1_000_000 + (n as u64) * (1e6 * period).round() as u64;
-        let uplink = ground.send(time);
+        let uplink = ground.send();
         let inputs = Inputs { time: clock, readings, uplink, ..Inputs::default() };
-        let outputs = computer.step(&scenario.settings_at(time), &inputs);
+        let outputs = computer.step(&settings, &inputs);
         ground.receive(&outputs.downlink);
 
         let state = world.state();
-        world.aircraft.plant.motors.dead = scenario.dead_at(time);
         let impact = world.advance(&outputs.command.speeds);
         let speeds = world.aircraft.plant.motors.speeds;
         let moment = Moment { time, state, inputs, outputs, speeds, impact };

@@ -1,14 +1,14 @@
 //! The world around the onboard computer: aircraft, motors, air, sensors. It advances by one control period at a
 //! time, as a plant of `bessemer_sim`.
 //!
-//! Knows no clock, no link and no scenario: the caller provides the period and the failures.
+//! Knows no clock, no link and no scenario: the caller provides the period and the faults.
 
 use crate::air::{Air, Wind};
 use crate::motors::Motors;
 use crate::plant::{Body, Loads, State};
-use crate::sensors::{Senses, Sensors, Stuck};
+use crate::sensors::{Senses, Sensors};
 use crate::vehicle::Vehicle;
-use bessemer_sim::{Input, Integrator, Plant, Stepper, Tick};
+use bessemer_sim::{FaultKind, Input, Integrator, Plant, Stepper, Tick};
 use models::Airframe;
 use models::calibration::Readings;
 use nalgebra::{SVector, Vector3};
@@ -104,7 +104,7 @@ impl World {
         Self {
             aircraft: Stepper::new(aircraft, start.vector(), rest, tick, integrator),
             wind: Wind::new(Air::default(), seed),
-            sensors: Sensors::new(&Senses::usual(), seed),
+            sensors: Sensors::new(&Senses::usual(), period, seed),
             period,
         }
     }
@@ -112,7 +112,8 @@ impl World {
     /// Returns this world with other air and sensors.
     #[must_use]
     pub fn with(self, air: Air, senses: &Senses, seed: u64) -> Self {
-        Self { wind: Wind::new(air, seed), sensors: Sensors::new(senses, seed), ..self }
+        let sensors = Sensors::new(senses, self.period, seed);
+        Self { wind: Wind::new(air, seed), sensors, ..self }
     }
 
     /// Returns the true state of the aircraft.
@@ -125,9 +126,9 @@ impl World {
         self.aircraft.state = state.vector();
     }
 
-    /// Returns the readings of the sensors in the period `n`, which begins at `time`, s.
-    pub fn sense(&mut self, n: usize, time: f64, stuck: Option<Stuck>) -> Readings {
-        self.sensors.read(n, time, self.period, &self.state(), stuck)
+    /// Returns the readings of the sensors in the period `n`; `fault` returns the present fault of a sensor by its name.
+    pub fn sense(&mut self, n: u64, fault: impl Fn(&str) -> Option<FaultKind>) -> Readings {
+        self.sensors.read(n, &self.aircraft.view(), fault)
     }
 
     /// Advances one period with motor speed setpoints, rad/s. Returns the speed at which the aircraft hit the ground,

@@ -9,7 +9,7 @@ use models::{Alarm, Inputs, Mode, Onboard, Outputs, Settings};
 use nalgebra::{Matrix3, Matrix6};
 use sim::computer::Computer;
 use sim::ground_station::Order;
-use sim::scenario::{Scenario, point};
+use sim::scenario::{Event, Scenario, point};
 use sim::voyage::follow;
 
 /// The models, whose memory can be looked at.
@@ -54,11 +54,10 @@ fn covariances_stay_symmetric_and_positive_for_a_million_periods_of_flight() {
             1.0 + 0.5 * (2.0 * turn).sin(),
             turn.sin(),
         );
-        (at, Order::Fly(vec![place]))
+        (at, Event::Order(Order::Fly(vec![place])))
     });
-    scenario.orders.extend(places);
-    scenario.orders.sort_by(|one, other| one.0.total_cmp(&other.0));
-    scenario.senses.outages = times(90.0).map(|at| (at, at + 15.0)).collect();
+    scenario.events.extend(places);
+    times(90.0).for_each(|at| scenario.hide(at, at + 15.0));
 
     let (mut flown, mut blind, mut alarm) = (0_u32, 0_u32, Alarm::Clear);
     follow(&scenario, &mut Open::default(), |moment, computer| {

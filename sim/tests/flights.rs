@@ -98,8 +98,7 @@ fn the_gain_of_the_feed_forward_grows_slowly() {
     let points = [point(0.0, 0.0, 0.0, 1.0, 0.0)];
     let mut scenario = Scenario::mambo(&points, 16.0, Mode::FeedForward);
     scenario.settings.injection = Injection::constant(0.5);
-    scenario.orders.push((15.0, Order::Mode(Mode::ClosedLoop)));
-    scenario.orders.sort_by(|one, other| one.0.total_cmp(&other.0));
+    scenario.order(15.0, Order::Mode(Mode::ClosedLoop));
     let moments = flown(&scenario).moments;
     let most = moments.iter().map(|it| it.outputs.gain).fold(0.0, f64::max);
     assert!(most > 0.45, "it begins at 10 s: {most}");

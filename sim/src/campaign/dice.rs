@@ -6,7 +6,7 @@
 use crate::noise::{Purpose, Stream};
 use crate::plant::State;
 use crate::scenario::{Failure, Gain, Scenario, point};
-use crate::sensors::{Senses, Stuck};
+use crate::sensors::{Senses, Sensor};
 use models::{Airframe, Mode};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -64,7 +64,7 @@ pub fn drawn(dice: &mut impl Dice, seed: u64) -> Scenario {
     scenario.senses = Senses::usual().scaled(dice.between(0.5, 1.5));
     for _ in 0..dice.below(4) {
         let from = dice.between(2.0, 30.0);
-        scenario.senses.outages.push((from, from + dice.between(0.2, 5.0)));
+        scenario.hide(from, from + dice.between(0.2, 5.0));
     }
     scenario
 }
@@ -77,7 +77,8 @@ pub fn failing(seed: u64) -> Scenario {
     let failure = match dice.below(3) {
         0 => Failure::Motor(dice.below(4) as usize),
         1 => {
-            let sensors = [Stuck::Gyroscope, Stuck::Accelerometer, Stuck::Altimeter, Stuck::Vicon];
+            let sensors =
+                [Sensor::Gyroscope, Sensor::Accelerometer, Sensor::Altimeter, Sensor::Vicon];
             Failure::Sensor(sensors[dice.below(4) as usize])
         }
         _ => {
@@ -85,7 +86,7 @@ pub fn failing(seed: u64) -> Scenario {
             Failure::Gain(gains[dice.below(4) as usize])
         }
     };
-    scenario.failure = Some((at, failure));
+    scenario.fail(at, failure);
     scenario
 }
 

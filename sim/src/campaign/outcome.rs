@@ -54,7 +54,7 @@ pub fn of_spread(seed: u64) -> Outcome {
 pub fn of_failure(seed: u64) -> Outcome {
     let mut scenario = dice::failing(seed);
     let mut outcome = watched(&scenario, Outcome::new(seed));
-    if let Some((at, failure)) = scenario.failure {
+    if let Some((at, failure)) = scenario.failure() {
         outcome.failure = format!("{failure:?}");
         outcome.broke = at;
     }
