@@ -79,11 +79,6 @@ impl Period {
         (tick / period + 1) * period
     }
 
-    /// Returns the number of whole periods in some ticks.
-    pub(crate) fn count(self, ticks: u32) -> usize {
-        (ticks / self.0.get()) as usize
-    }
-
     /// Returns the length, s.
     pub(crate) fn seconds(self, tick: Tick) -> f64 {
         tick.seconds(u64::from(self.0.get()))

@@ -87,7 +87,7 @@ pub struct Delivery {
     /// Period with which packets arrive.
     pub period: Period,
     /// Age of the numbers when their packet arrives, in ticks. The first packets, which would be older than the run, have
-    /// those of its start.
+    /// the numbers of its start.
     pub age: u32,
     /// Probability that a packet is lost, 0 to 1. Only if it is above 0, it draws a number for each packet.
     pub dropout: f64,
@@ -101,8 +101,10 @@ pub struct PacketSensor<I, const M: usize> {
     delivery: Delivery,
     chance: Stream,
     sensors: Vec<Part>,
-    /// True numbers that were sampled and have not arrived, the oldest first.
-    underway: VecDeque<Numbers<M>>,
+    /// Numbers of the first call, and the last tick at which they arrive.
+    start: Option<(u64, Numbers<M>)>,
+    /// True numbers that were sampled and have not arrived, each with the tick of its arrival, in order.
+    underway: VecDeque<(u64, Numbers<M>)>,
     last: Numbers<M>,
 }
 
@@ -127,11 +129,11 @@ impl<I, const M: usize> PacketSensor<I, M> {
                 _ => sensors.push(Part { name: name.to_owned(), end, fault: None }),
             }
         }
-        let (underway, last) = (VecDeque::new(), Numbers::zeros());
-        Self { instrument, delivery, chance, sensors, underway, last }
+        let (start, underway, last) = (None, VecDeque::new(), Numbers::zeros());
+        Self { instrument, delivery, chance, sensors, start, underway, last }
     }
 
-    /// Returns the reading at a tick: fresh if a packet arrives. Call it once at each tick of your loop, from 0 on.
+    /// Returns the reading at a tick: fresh if a packet arrives. Call it once at each tick of your loop.
     ///
     /// `fault` returns the present fault of a sensor by its name; [`Fault::at`](crate::Fault::at) looks it up in a list. A silent
     /// sensor's whole packet is not sent. A stuck one repeats its numbers of the last packet that arrived, and an offset is added to each
@@ -146,16 +148,26 @@ impl<I, const M: usize> PacketSensor<I, M> {
         I: Instrument<P, N, M>,
     {
         let Delivery { period, age, .. } = self.delivery;
-        if period.is_due(now + u64::from(age)) || now == 0 {
+        let arrival = now.saturating_add(age.into());
+        let is_sampled = period.is_due(arrival);
+        if is_sampled || self.start.is_none() {
             let truth = self.instrument.measure(view);
-            // Packets that arrive up to the age were all sampled at the start.
-            let count = if now == 0 { period.count(age) + 1 } else { 1 };
-            self.underway.extend(std::iter::repeat_n(truth, count));
+            self.start.get_or_insert((arrival, truth));
+            self.underway.extend(is_sampled.then_some((arrival, truth)));
         }
-        let arrives = period.is_due(now).then(|| self.underway.pop_front()).flatten();
+        let arrives = period.is_due(now).then(|| self.arrived(now)).flatten();
         let packet = arrives.and_then(|truth| self.packet(truth, fault));
         self.last = packet.unwrap_or(self.last);
         Reading { value: self.last, is_fresh: packet.is_some() }
+    }
+
+    /// Returns the true numbers that are due at a tick.
+    fn arrived(&mut self, now: u64) -> Option<Numbers<M>> {
+        let mut due = self.start.filter(|(until, _)| now <= *until);
+        while let Some(sampled) = self.underway.pop_front_if(|(arrival, _)| *arrival <= now) {
+            due = Some(sampled);
+        }
+        due.map(|(_, truth)| truth)
     }
 
     /// Returns the packet that arrives of true numbers; `None` if none does.

@@ -82,6 +82,7 @@ fn packets_have_a_rate_and_an_age() {
         (3, 3, vec![0, 3, 6, 9], vec![0.0, 0.0, 3.0, 6.0]),
         (3, 7, vec![0, 3, 6, 9, 12], vec![0.0, 0.0, 0.0, 2.0, 5.0]),
         (2, 5, vec![0, 2, 4, 6, 8], vec![0.0, 0.0, 0.0, 1.0, 3.0]),
+        (1, u32::MAX, vec![0, 1, 2], vec![0.0, 0.0, 0.0]),
     ] {
         let mut sensor = sensor(IDEAL, delivery(period, age, 0.0), 1);
         let ticks = arrivals.last().map_or(0, |last| last + 1);
@@ -93,6 +94,29 @@ fn packets_have_a_rate_and_an_age() {
         // Only packets that are underway at the end are measured in vain.
         let most = expected.len() + (age / period) as usize + 1;
         assert!(sensor.instrument.count as usize <= most, "{}", sensor.instrument.count);
+    }
+}
+
+/// A loop may begin at any tick, and a tick without a call costs its packet and a later one.
+#[test]
+fn a_loop_may_begin_late_and_skip_ticks() {
+    let tick = Tick::nanoseconds(1_000_000_000).expect("a tick");
+    let input = Input { command: (), disturbance: () };
+    for first in [0_u64, 1_000, u64::MAX - 9] {
+        let start = Clock;
+        let mut clock = Stepper::new(start, State::zeros(), input, tick, Integrator::default());
+        let mut sensor = sensor(IDEAL, delivery(1, 2, 0.0), 1);
+        let mut arrived = Vec::new();
+        for n in 0..8 {
+            if n != 4 {
+                let reading = sensor.read(first + n, &clock.view(), |_| None);
+                arrived.extend(reading.is_fresh.then_some((n, reading.value[0])));
+            }
+            clock.advance(1).expect("it advances");
+        }
+        // Its sample is due at tick 6.
+        let expected = [(0, 0.0), (1, 0.0), (2, 0.0), (3, 1.0), (5, 3.0), (7, 5.0)];
+        assert_eq!(arrived, expected, "from {first} on");
     }
 }
 
