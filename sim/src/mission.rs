@@ -3,6 +3,7 @@
 //! Does not know how well it is flown: see [`crate::verdict`].
 
 use crate::plant::State;
+use bessemer_sim::Events;
 use models::Target;
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
@@ -25,13 +26,11 @@ pub enum Action {
     Land(f64),
 }
 
-/// An action and its time.
+/// An action and its name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Manoeuvre {
     /// Name of the manoeuvre.
     pub name: &'static str,
-    /// Start of the manoeuvre, s.
-    pub begins: f64,
     /// Command to the pilot.
     pub action: Action,
 }
@@ -78,8 +77,8 @@ pub struct Mission {
     pub duration: f64,
     /// Initial state of the aircraft.
     pub start: State,
-    /// Commands in order of time; the last is the landing.
-    pub manoeuvres: Vec<Manoeuvre>,
+    /// Commands, each at the start of its manoeuvre; the last is the landing.
+    pub manoeuvres: Events<Manoeuvre>,
     /// Steady force of the air in the inertial frame, N.
     pub wind: Vector3<f64>,
     /// Gusts, in the order of time.
@@ -93,7 +92,7 @@ impl Mission {
     /// needs. The yaw step drives every motor to a limit. The updraft is there for the integral of
     /// the height, the gusts for the mixer.
     pub fn every_channel() -> Self {
-        let manoeuvre = |name, begins, action| Manoeuvre { name, begins, action };
+        let manoeuvre = |name, begins, action| (begins, Manoeuvre { name, action });
         let gust = |name, begins, torque| Gust { name, begins, lasts: 0.02, torque };
         Self {
             duration: 30.0,
@@ -102,12 +101,14 @@ impl Mission {
                 angles: Vector3::new(0.1, 0.0, 0.1),
                 ..State::default()
             },
-            manoeuvres: vec![
+            manoeuvres: [
                 manoeuvre("take-off", 0.0, Action::TakeOff { burn: 1.0, height: 1.0 }),
                 manoeuvre("yaw step", 13.0, Action::Turn(FRAC_PI_2)),
                 manoeuvre("x step", 15.0, Action::Go(1.0, 0.0)),
                 manoeuvre("landing", 25.75, Action::Land(0.28)),
-            ],
+            ]
+            .into_iter()
+            .collect(),
             wind: Vector3::new(0.0, 0.0, 0.012),
             gusts: vec![
                 gust("gust in pitch", 9.0, Vector3::new(0.0, 0.003, 0.0)),
@@ -119,8 +120,8 @@ impl Mission {
     /// Returns the target of the pilot at a time, s.
     pub fn target(&self, time: f64) -> Target {
         let mut target = Target::default();
-        for manoeuvre in self.manoeuvres.iter().take_while(|m| m.begins <= time) {
-            manoeuvre.action.apply(time - manoeuvre.begins, &mut target);
+        for (begins, manoeuvre) in self.manoeuvres.past(time) {
+            manoeuvre.action.apply(time - begins, &mut target);
         }
         target
     }

@@ -113,13 +113,13 @@ impl fmt::Display for Fault {
 
 /// Returns the errors at the start of each manoeuvre but the first.
 pub fn settled(flight: &Flight, mission: &Mission, window: f64) -> Vec<Settled> {
-    let pairs = mission.manoeuvres.windows(2);
+    let pairs = mission.manoeuvres.iter().zip(mission.manoeuvres.iter().skip(1));
     pairs
-        .map(|pair| {
-            let by = pair[1].begins;
+        .map(|((_, before), (by, _))| {
+            let by = *by;
             let inside = |step: &&Step| by - window <= step.time && step.time < by;
             Settled {
-                manoeuvre: pair[0].name,
+                manoeuvre: before.name,
                 by,
                 errors: Errors::over(flight.steps.iter().filter(inside)),
             }
