@@ -30,11 +30,13 @@
 
 pub mod air;
 pub mod aircraft;
+pub mod batch;
 pub mod battery;
 pub mod campaign;
 pub mod channels;
 pub mod checks;
 pub mod computer;
+mod course;
 pub mod figures;
 pub mod flight;
 pub mod flights;

@@ -3,8 +3,8 @@
 //! They get the true state and return the readings. They do not know how these are used.
 
 use crate::noise::{Purpose, Stream};
-use crate::plant::{State, rotation};
-use bessemer_sim::{Delivery, Instrument, Numbers, PacketSensor, Period, Plant, View};
+use crate::plant::{Body, State, rotation_of};
+use bessemer_sim::{Delivery, Instrument, Numbers, PacketSensor, Period, Plant, Reading, View};
 pub use bessemer_sim::{Fault, FaultKind};
 use models::calibration::{Calibration, Echo, Flow, Inertial, Readings, Vicon};
 use nalgebra::Vector3;
@@ -73,6 +73,32 @@ impl Senses {
         }
         all.vicon_angles *= factor;
         all
+    }
+}
+
+/// The truth that sensors see.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Seen {
+    /// State of the aircraft.
+    pub state: State,
+    /// Rotation of the aircraft: the rows of [`rotation`](crate::plant::rotation).
+    pub rotation: [[f64; 3]; 3],
+}
+
+impl Seen {
+    /// Returns the truth in a state.
+    pub fn of(state: &State) -> Self {
+        Self { state: *state, rotation: rotation_of(state.angles.into()) }
+    }
+
+    fn of_view<P: Plant<12>>(view: &View<'_, P, 12>) -> Self {
+        Self::of(&State::from_vector(view.state))
+    }
+
+    /// Returns a vector of the inertial frame in the body frame.
+    fn inside(&self, vector: &Vector3<f64>) -> Vector3<f64> {
+        let [a, b, c] = self.rotation;
+        Vector3::from_fn(|n, _| a[n] * vector.x + b[n] * vector.y + c[n] * vector.z)
     }
 }
 
@@ -154,14 +180,14 @@ impl Sensors {
     }
 
     /// Returns the readings in the control period `n`; `fault` returns the present fault of a sensor by its name.
-    pub fn read<P: Plant<12>>(
+    pub(crate) fn read(
         &mut self,
         n: u64,
-        view: &View<'_, P, 12>,
+        seen: &Seen,
         fault: impl Fn(&str) -> Option<FaultKind>,
     ) -> Readings {
         let scales = &self.scales;
-        let inertial = self.inertial.read(n, view, &fault);
+        let inertial = read(&mut self.inertial, n, |it| it.truth(seen), &fault);
         let mut readings = Readings {
             inertial: Inertial {
                 fresh: inertial.is_fresh,
@@ -170,23 +196,33 @@ impl Sensors {
             },
             ..Readings::default()
         };
-        let altimeter = self.altimeter.read(n, view, &fault);
+        let altimeter = read(&mut self.altimeter, n, |_| Altimeter::truth(seen), &fault);
         if altimeter.is_fresh {
             let delay = 2e6 * altimeter.value.x.max(0.0) / scales.sound;
             readings.echo = Echo { fresh: true, delay: delay.round() as u32 };
         }
-        let camera = self.camera.read(n, view, &fault);
+        let camera = read(&mut self.camera, n, |_| seen.inside(&seen.state.velocity), &fault);
         if camera.is_fresh {
             let [x, y, _] = counts(&(camera.value / scales.flow_scale));
             readings.flow = Flow { fresh: true, velocity: [x, y] };
         }
-        let vicon = self.vicon.read(n, view, &fault);
+        let vicon = read(&mut self.vicon, n, |_| MotionCapture::truth(seen), &fault);
         if vicon.is_fresh {
             let (position, angles) = (first(&vicon.value), second(&vicon.value));
             readings.vicon = Vicon { fresh: true, position, angles };
         }
         readings
     }
+}
+
+/// Reads a sensor whose truth is known already.
+fn read<I: Instrument<Body, 12, M>, const M: usize>(
+    sensor: &mut PacketSensor<I, M>,
+    n: u64,
+    truth: impl FnOnce(&mut I) -> Numbers<M>,
+    fault: &impl Fn(&str) -> Option<FaultKind>,
+) -> Reading<Numbers<M>> {
+    sensor.read_truth::<Body, 12>(n, truth, fault)
 }
 
 /// Gyroscope, rad/s, and accelerometer, m/s².
@@ -215,13 +251,19 @@ impl InertialUnit {
     }
 }
 
+impl InertialUnit {
+    fn truth(&mut self, seen: &Seen) -> Numbers<6> {
+        let State { velocity, rates, .. } = seen.state;
+        let weight = Vector3::new(0.0, 0.0, models::airframe::GRAVITY);
+        let felt = (velocity - self.before) / self.period + weight;
+        self.before = velocity;
+        joined(&rates, &seen.inside(&felt))
+    }
+}
+
 impl<P: Plant<12>> Instrument<P, 12, 6> for InertialUnit {
     fn measure(&mut self, view: &View<'_, P, 12>) -> Numbers<6> {
-        let state = State::from_vector(view.state);
-        let weight = Vector3::new(0.0, 0.0, models::airframe::GRAVITY);
-        let felt = (state.velocity - self.before) / self.period + weight;
-        self.before = state.velocity;
-        joined(&state.rates, &(rotation(&state.angles).transpose() * felt))
+        self.truth(&Seen::of_view(view))
     }
 
     fn packet(&mut self, truth: Numbers<6>, chance: &mut Stream) -> Option<Numbers<6>> {
@@ -235,11 +277,17 @@ impl<P: Plant<12>> Instrument<P, 12, 6> for InertialUnit {
 #[derive(Clone, Debug)]
 struct Altimeter(Quality);
 
+impl Altimeter {
+    fn truth(seen: &Seen) -> Numbers<1> {
+        // The cosine of the tilt.
+        let upright = seen.rotation[2][2];
+        [seen.state.position.z / upright.max(0.2)].into()
+    }
+}
+
 impl<P: Plant<12>> Instrument<P, 12, 1> for Altimeter {
     fn measure(&mut self, view: &View<'_, P, 12>) -> Numbers<1> {
-        let State { position, angles, .. } = State::from_vector(view.state);
-        let upright = angles.x.cos() * angles.y.cos();
-        [position.z / upright.max(0.2)].into()
+        Self::truth(&Seen::of_view(view))
     }
 
     fn packet(&mut self, truth: Numbers<1>, chance: &mut Stream) -> Option<Numbers<1>> {
@@ -258,8 +306,8 @@ struct Camera {
 
 impl<P: Plant<12>> Instrument<P, 12, 3> for Camera {
     fn measure(&mut self, view: &View<'_, P, 12>) -> Numbers<3> {
-        let State { velocity, angles, .. } = State::from_vector(view.state);
-        rotation(&angles).transpose() * velocity
+        let seen = Seen::of_view(view);
+        seen.inside(&seen.state.velocity)
     }
 
     fn packet(&mut self, truth: Numbers<3>, chance: &mut Stream) -> Option<Numbers<3>> {
@@ -275,10 +323,15 @@ struct MotionCapture {
     angles: f64,
 }
 
+impl MotionCapture {
+    fn truth(seen: &Seen) -> Numbers<6> {
+        joined(&seen.state.position, &seen.state.angles)
+    }
+}
+
 impl<P: Plant<12>> Instrument<P, 12, 6> for MotionCapture {
     fn measure(&mut self, view: &View<'_, P, 12>) -> Numbers<6> {
-        let State { position, angles, .. } = State::from_vector(view.state);
-        joined(&position, &angles)
+        Self::truth(&Seen::of_view(view))
     }
 
     fn packet(&mut self, truth: Numbers<6>, chance: &mut Stream) -> Option<Numbers<6>> {

@@ -2,6 +2,8 @@
 //!
 //! Knows forces and torques in the body frame, not motion.
 
+use bessemer::math::ElementaryMethods;
+use bessemer_lanes::Number;
 use models::{Airframe, Layout};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -37,7 +39,7 @@ impl Vehicle {
             let spin = if n.is_multiple_of(2) { 1.0 } else { -1.0 };
             let angle = arm_angle(airframe.layout, airframe.motors, n);
             Motor {
-                place: airframe.arm * Vector3::new(angle.cos(), angle.sin(), 0.0),
+                place: airframe.arm * Vector3::new(angle.dsl_cos(), angle.dsl_sin(), 0.0),
                 thrust_factor: pressure * airframe.thrust_coefficients[n],
                 drag_factor: spin * pressure * radius * airframe.drag_coefficients[n],
             }
@@ -58,16 +60,31 @@ impl Vehicle {
     /// of the motor speeds, rad²/s² (thesis, eq. (2.49)).
     pub fn loads(&self, squares: &[f64]) -> (f64, Vector3<f64>) {
         assert!(squares.len() >= self.motors.len(), "one speed per motor");
-        let mut thrust = 0.0;
-        let mut torque = Vector3::zeros();
-        for (motor, square) in self.motors.iter().zip(squares) {
-            let lift = motor.thrust_factor * square;
-            thrust += lift;
-            torque += motor.place.cross(&Vector3::new(0.0, 0.0, lift));
-            torque.z += motor.drag_factor * square;
-        }
-        (thrust, torque)
+        let motors = self.motors.iter().map(Motor::numbers).zip(squares.iter().copied());
+        let (thrust, torque) = loads(motors);
+        (thrust, torque.into())
     }
+}
+
+impl Motor {
+    /// Returns place along x and y, and the factors of thrust and drag.
+    pub(crate) fn numbers(&self) -> [f64; 4] {
+        [self.place.x, self.place.y, self.thrust_factor, self.drag_factor]
+    }
+}
+
+/// Returns thrust, N, and torque, N·m, of motors by their [`Motor::numbers`] and the squares of their speeds, rad²/s².
+pub(crate) fn loads<T: Number>(motors: impl Iterator<Item = ([T; 4], T)>) -> (T, [T; 3]) {
+    let zero = T::of(0.0);
+    let (mut thrust, mut torque) = (zero, [zero; 3]);
+    for ([x, y, thrust_factor, drag_factor], square) in motors {
+        let lift = thrust_factor * square;
+        thrust = thrust + lift;
+        torque[0] = torque[0] + y * lift;
+        torque[1] = torque[1] - x * lift;
+        torque[2] = torque[2] + drag_factor * square;
+    }
+    (thrust, torque)
 }
 
 /// Angle of arm `n`, counted from 0 (thesis, eq. (2.2)), rad.

@@ -3,11 +3,11 @@
 //! Knows the computer only through its trait, and does not judge the flight.
 
 use crate::computer::Computer;
-use crate::ground_station::{GroundStation, Record};
+use crate::course::Course;
+use crate::ground_station::Record;
 use crate::plant::State;
-use crate::scenario::{Event, Failure, LEAD, Scenario};
+use crate::scenario::{LEAD, Scenario};
 use crate::world::World;
-use bessemer_sim::{Fault, FaultKind};
 use models::{Inputs, Outputs};
 use nalgebra::SVector;
 
@@ -61,30 +61,18 @@ pub fn follow<C: Computer>(
             &scenario.senses,
             scenario.seed,
         );
-    let mut ground = GroundStation::default();
-    let (mut settings, mut faults) = (scenario.settings, scenario.faults.clone());
-    let mut pending = scenario.events.pending();
+    let mut course = Course::new(scenario);
 
     for n in 0..count {
         let time = n as f64 * period - LEAD;
-        for (at, event) in pending.due(time) {
-            match event {
-                Event::Order(order) => ground.order(order),
-                Event::Failure(Failure::Motor(motor)) => {
-                    world.aircraft.plant.motors.dead = Some(*motor);
-                }
-                Event::Failure(Failure::Sensor(sensor)) => {
-                    faults.push(sensor.fault(FaultKind::Stuck, *at, f64::INFINITY));
-                }
-                Event::Failure(Failure::Gain(gain)) => gain.reverse(&mut settings.parameters),
-            }
-        }
-        let readings = world.sense(n as u64, |sensor| Fault::at(&faults, sensor, time));
+        course.happen(time);
+        world.aircraft.plant.motors.dead = course.dead;
+        let readings = world.sense(n as u64, |sensor| course.fault(sensor, time));
         let clock = 1_000_000 + (n as u64) * (1e6 * period).round() as u64;
-        let uplink = ground.send();
+        let uplink = course.ground.send();
         let inputs = Inputs { time: clock, readings, uplink, ..Inputs::default() };
-        let outputs = computer.step(&settings, &inputs);
-        ground.receive(&outputs.downlink);
+        let outputs = computer.step(&course.settings, &inputs);
+        course.ground.receive(&outputs.downlink);
 
         let state = world.state();
         let impact = world.advance(&outputs.command.speeds);
@@ -94,5 +82,5 @@ pub fn follow<C: Computer>(
             break;
         }
     }
-    ground.records
+    course.ground.records
 }

@@ -5,8 +5,8 @@
 
 use crate::air::{Air, Wind};
 use crate::motors::Motors;
-use crate::plant::{Body, Loads, State};
-use crate::sensors::{Senses, Sensors};
+use crate::plant::{Body, Loads, Rigid, State};
+use crate::sensors::{Seen, Senses, Sensors};
 use crate::vehicle::Vehicle;
 use bessemer_sim::{FaultKind, Input, Integrator, Plant, Stepper, Tick};
 use models::Airframe;
@@ -15,7 +15,7 @@ use nalgebra::{SVector, Vector3};
 use std::num::NonZeroU64;
 
 /// Number of plant steps in a control period, since the motors' speeds change during a period.
-const SUBSTEPS: u32 = 2;
+pub(crate) const SUBSTEPS: u32 = 2;
 
 /// An aircraft with its motors. Its command are the setpoints of the motors' speeds, rad/s; its disturbance is the force of
 /// the wind in the inertial frame, N.
@@ -24,7 +24,7 @@ pub struct Multicopter {
     /// Motors of the aircraft.
     pub motors: Motors,
     vehicle: Vehicle,
-    body: Body,
+    body: Rigid<f64>,
     /// Loads of the present interval.
     loads: Loads,
     /// Height, m, and vertical speed, m/s, at the start of the interval.
@@ -37,7 +37,7 @@ impl Multicopter {
     /// Creates an aircraft with motors at rest, of time constant `lag`, s.
     pub fn new(airframe: &Airframe, lag: f64) -> Self {
         let vehicle = Vehicle::new(airframe);
-        let body = Body { mass: vehicle.mass, inertia: vehicle.inertia };
+        let body = Body { mass: vehicle.mass, inertia: vehicle.inertia }.rigid();
         let (loads, start) = (Loads::default(), [0.0; 2]);
         Self { motors: Motors::new(lag), vehicle, body, loads, start, impact: 0.0 }
     }
@@ -128,7 +128,7 @@ impl World {
 
     /// Returns the readings of the sensors in the period `n`; `fault` returns the present fault of a sensor by its name.
     pub fn sense(&mut self, n: u64, fault: impl Fn(&str) -> Option<FaultKind>) -> Readings {
-        self.sensors.read(n, &self.aircraft.view(), fault)
+        self.sensors.read(n, &Seen::of(&self.state()), fault)
     }
 
     /// Advances one period with motor speed setpoints, rad/s. Returns the speed at which the aircraft hit the ground,

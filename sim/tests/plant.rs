@@ -144,8 +144,8 @@ fn a_step_has_the_bits_of_the_plain_equations() {
             State {
                 position: at.velocity,
                 angles: angle_rates(&at.angles, &at.rates),
-                velocity: push / body.mass - Vector3::new(0.0, 0.0, GRAVITY),
-                rates: turn.component_div(&body.inertia),
+                velocity: push * (1.0 / body.mass) - Vector3::new(0.0, 0.0, GRAVITY),
+                rates: turn.component_mul(&body.inertia.map(|moment| 1.0 / moment)),
             }
         };
         let one = slope(&start);

@@ -71,4 +71,7 @@ pub struct Campaign {
     /// Profile of cargo that the program is built with [default: release]
     #[arg(long, value_name = "NAME")]
     pub profile: Option<String>,
+    /// Build for this machine's processor alone, with its vectors, in target/native
+    #[arg(long)]
+    pub native: bool,
 }

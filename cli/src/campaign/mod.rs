@@ -159,6 +159,14 @@ fn build(here: &Path, program: &Program, wanted: &Campaign) -> Result<PathBuf, E
     cargo.args(["build", "--package", &program.package, program.flag, TARGET]);
     cargo.args(["--profile", wanted.profile.as_deref().unwrap_or("release")]);
     cargo.args(["--message-format", "json-render-diagnostics"]);
+    if wanted.native {
+        // In a folder of its own: cargo would build each crate again at every change of the flags.
+        cargo.args(["--target-dir", "target/native"]);
+        match std::env::var("RUSTFLAGS") {
+            Ok(own) => cargo.env("RUSTFLAGS", format!("{own} -C target-cpu=native")),
+            Err(_) => cargo.args(["--config", "build.rustflags=['-C', 'target-cpu=native']"]),
+        };
+    }
     if wanted.parquet.is_some() || wanted.wheel.is_some() {
         cargo.args(["--features", "bessemer-campaign/parquet"]);
     }

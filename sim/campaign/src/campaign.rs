@@ -158,6 +158,18 @@ pub trait Campaign: Sync {
     /// [`Column::or_infinite`] count as such a reason, too.
     fn run(&self, seed: u64) -> Result<Vec<Value>, String>;
 
+    /// Returns how many seeds [`Self::run_together`] runs at once, such as the lanes of vectors; 1 if each is run alone.
+    fn together(&self) -> usize {
+        1
+    }
+
+    /// Runs several seeds at once, and returns what [`Self::run`] returns for each, to the bit.
+    ///
+    /// If it panics or returns another number of results, each seed is run alone.
+    fn run_together(&self, seeds: &[u64]) -> Vec<Result<Vec<Value>, String>> {
+        seeds.iter().map(|seed| self.run(*seed)).collect()
+    }
+
     /// Returns the fault of a completed run, such as "left the lane"; `None` if it is as it must be.
     fn fault(&self, row: &[Value]) -> Option<String> {
         let _ = row;

@@ -28,7 +28,25 @@ impl Row {
             let text = text.or_else(|| cause.downcast_ref::<String>().cloned());
             Err(format!("panic: {}", text.unwrap_or_else(|| "no text".to_owned())))
         });
-        let result = result.and_then(|values| check(&columns, values));
+        Self::checked(seed, &columns, result)
+    }
+
+    /// Runs several seeds at once. A panic concerns one of them, so each is run alone after it.
+    pub fn all_of(campaign: &dyn Campaign, seeds: &[u64]) -> Vec<Self> {
+        let columns = campaign.columns();
+        let run = || catch_unwind(AssertUnwindSafe(|| campaign.run_together(seeds)));
+        match (seeds.len() > 1).then(run) {
+            Some(Ok(results)) if results.len() == seeds.len() => {
+                let rows = seeds.iter().zip(results);
+                rows.map(|(seed, result)| Self::checked(*seed, &columns, result)).collect()
+            }
+            _ => seeds.iter().map(|seed| Self::of(campaign, *seed)).collect(),
+        }
+    }
+
+    /// Creates the row of a run.
+    fn checked(seed: u64, columns: &[Column], result: Result<Vec<Value>, String>) -> Self {
+        let result = result.and_then(|values| check(columns, values));
         let result = result.map_err(|reason| match clean(&reason) {
             empty if empty.is_empty() => "no reason".to_owned(),
             reason => reason,

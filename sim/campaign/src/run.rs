@@ -22,15 +22,16 @@ pub fn run(
     done: impl FnMut(Row) -> Result<(), Error> + Send,
 ) -> Result<(), Error> {
     let done = Mutex::new(done);
-    seeds.par_iter().try_for_each(|seed| {
-        let mut row = Row::of(campaign, *seed);
-        for _ in 0..retries {
-            if row.result.is_ok() {
-                break;
+    seeds.par_chunks(campaign.together().max(1)).try_for_each(|seeds| {
+        Row::all_of(campaign, seeds).into_iter().try_for_each(|mut row| {
+            for _ in 0..retries {
+                if row.result.is_ok() {
+                    break;
+                }
+                row = Row::of(campaign, row.seed);
             }
-            row = Row::of(campaign, *seed);
-        }
-        let mut done = done.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        done(row)
+            let mut done = done.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+            done(row)
+        })
     })
 }

@@ -147,11 +147,24 @@ impl<I, const M: usize> PacketSensor<I, M> {
     where
         I: Instrument<P, N, M>,
     {
+        self.read_truth(now, |instrument| instrument.measure(view), fault)
+    }
+
+    /// Returns the reading at a tick as [`read`](PacketSensor::read) does, of true numbers that the loop has computed already. `truth` is called when the sensor samples them.
+    pub fn read_truth<P: Plant<N>, const N: usize>(
+        &mut self,
+        now: u64,
+        truth: impl FnOnce(&mut I) -> Numbers<M>,
+        fault: impl Fn(&str) -> Option<FaultKind>,
+    ) -> Reading<Numbers<M>>
+    where
+        I: Instrument<P, N, M>,
+    {
         let Delivery { period, age, .. } = self.delivery;
         let arrival = now.saturating_add(age.into());
         let is_sampled = period.is_due(arrival);
         if is_sampled || self.start.is_none() {
-            let truth = self.instrument.measure(view);
+            let truth = truth(&mut self.instrument);
             self.start.get_or_insert((arrival, truth));
             self.underway.extend(is_sampled.then_some((arrival, truth)));
         }

@@ -4,10 +4,14 @@
 //! speed, distance or touch-down speed exceeds a limit.
 
 use super::dice;
+use crate::batch::{self, Glimpse};
 use crate::computer::Native;
+use crate::plant::State;
 use crate::scenario::Scenario;
-use crate::voyage::{Moment, follow};
+use crate::voyage::follow;
+use bessemer::math::ElementaryMethods;
 use bessemer_campaign::{Column, Value, Worst};
+use bessemer_lanes::sin_cos;
 use models::{Alarm, Phase};
 
 /// Largest tilt, rad.
@@ -54,10 +58,7 @@ pub fn of_spread(seed: u64) -> Outcome {
 pub fn of_failure(seed: u64) -> Outcome {
     let mut scenario = dice::failing(seed);
     let mut outcome = watched(&scenario, Outcome::new(seed));
-    if let Some((at, failure)) = scenario.failure() {
-        outcome.failure = format!("{failure:?}");
-        outcome.broke = at;
-    }
+    outcome.broken(&scenario);
     scenario.settings.limits.armed = false;
     let free = watched(&scenario, Outcome::new(seed));
     outcome.left = free.left;
@@ -67,17 +68,47 @@ pub fn of_failure(seed: u64) -> Outcome {
 /// Flies and observes, until the aircraft leaves the envelope.
 fn watched(scenario: &Scenario, mut outcome: Outcome) -> Outcome {
     follow(scenario, &mut Native::default(), |moment, _| {
-        outcome.look(moment);
+        outcome.look(&moment.into());
         outcome.left.is_infinite()
     });
     outcome
+}
+
+/// Flies scenarios at once, in vectors, and observes each as if it were alone.
+fn watched_at_once(scenarios: &[Scenario], mut outcomes: Vec<Outcome>) -> Vec<Outcome> {
+    batch::fly(scenarios, |flight, glimpse| {
+        let Some(outcome) = outcomes.get_mut(flight) else { return false };
+        outcome.look(glimpse);
+        outcome.left.is_infinite()
+    });
+    outcomes
+}
+
+/// Flies the scenarios of several seeds at once, as [`of_spread`] each.
+pub fn all_of_spread(seeds: &[u64]) -> Vec<Outcome> {
+    let scenarios: Vec<Scenario> = seeds.iter().map(|seed| dice::scenario(*seed)).collect();
+    watched_at_once(&scenarios, seeds.iter().map(|seed| Outcome::new(*seed)).collect())
+}
+
+/// Flies the scenarios of several seeds at once, as [`of_failure`] each.
+pub fn all_of_failures(seeds: &[u64]) -> Vec<Outcome> {
+    let mut scenarios: Vec<Scenario> = seeds.iter().map(|seed| dice::failing(*seed)).collect();
+    let fresh = || seeds.iter().map(|seed| Outcome::new(*seed)).collect();
+    let mut outcomes = watched_at_once(&scenarios, fresh());
+    for (outcome, scenario) in outcomes.iter_mut().zip(&mut scenarios) {
+        outcome.broken(scenario);
+        scenario.settings.limits.armed = false;
+    }
+    let free = watched_at_once(&scenarios, fresh());
+    outcomes.iter_mut().zip(free).for_each(|(outcome, free)| outcome.left = free.left);
+    outcomes
 }
 
 /// Flies, and returns how far the aircraft came out of the envelope, as a share of its limits: 0 or more if it left it.
 pub fn severity(scenario: &Scenario) -> f64 {
     let mut most = f64::NEG_INFINITY;
     follow(scenario, &mut Native::default(), |moment, _| {
-        most = most.max(strain(moment));
+        most = most.max(strain(&moment.into()));
         most <= 1.0
     });
     most - 1.0
@@ -85,19 +116,30 @@ pub fn severity(scenario: &Scenario) -> f64 {
 
 /// Returns the largest of tilt, speed, distance and touch-down, each as a share of its limit: more than 1 outside the envelope.
 /// Infinite if a figure of the state is no finite number.
-fn strain(moment: &Moment) -> f64 {
-    let state = &moment.state;
+fn strain(glimpse: &Glimpse) -> f64 {
+    let state = &glimpse.state;
     if !state.is_finite() {
         return f64::INFINITY;
     }
-    let tilt = (state.angles.x.cos() * state.angles.y.cos()).acos();
+    let upright = sin_cos(state.angles.x).1 * sin_cos(state.angles.y).1;
+    let tilt = upright.dsl_acos();
     let shares = [
         tilt / TILT,
         state.velocity.norm() / SPEED,
         state.position.amax() / REACH,
-        moment.impact / IMPACT,
+        glimpse.impact / IMPACT,
     ];
     shares.into_iter().fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Returns true if the [`strain`] is more than 1. Most aircraft are far within the limits, which costs less to see.
+fn is_outside(glimpse: &Glimpse) -> bool {
+    let State { position, velocity, angles, .. } = &glimpse.state;
+    // Two angles of half a radian tilt by 0.7 rad at most.
+    let steady = angles.x.abs() < 0.5 && angles.y.abs() < 0.5;
+    let slow = velocity.amax() < SPEED / 2.0 && position.amax() < REACH;
+    let calm = steady && slow && glimpse.impact < IMPACT && glimpse.state.is_finite();
+    !calm && strain(glimpse) > 1.0
 }
 
 impl Outcome {
@@ -116,24 +158,32 @@ impl Outcome {
         }
     }
 
-    fn look(&mut self, moment: &Moment) {
-        let (state, outputs) = (&moment.state, &moment.outputs);
-        self.impact = self.impact.max(moment.impact);
-        if strain(moment) > 1.0 && self.left.is_infinite() {
-            self.left = moment.time;
+    /// Notes the failure of a scenario.
+    fn broken(&mut self, scenario: &Scenario) {
+        if let Some((at, failure)) = scenario.failure() {
+            self.failure = format!("{failure:?}");
+            self.broke = at;
         }
-        if outputs.alarm != Alarm::Clear && self.stopped.is_infinite() {
-            self.stopped = moment.time;
-            self.alarm = format!("{:?}", outputs.alarm);
+    }
+
+    fn look(&mut self, glimpse: &Glimpse) {
+        let Glimpse { time, state, alarm, .. } = glimpse;
+        self.impact = self.impact.max(glimpse.impact);
+        if self.left.is_infinite() && is_outside(glimpse) {
+            self.left = *time;
+        }
+        if *alarm != Alarm::Clear && self.stopped.is_infinite() {
+            self.stopped = *time;
+            self.alarm = format!("{alarm:?}");
         }
         let settled = [(5.0, 8.0), (15.0, 18.0), (25.0, 28.0)];
-        if settled.iter().any(|(from, to)| (*from..*to).contains(&moment.time)) {
-            let error = outputs.reference.target.position - state.position;
+        if settled.iter().any(|(from, to)| (*from..*to).contains(time)) {
+            let error = glimpse.wanted - state.position;
             self.height = self.height.max(error.z.abs());
             self.place = self.place.max(error.xy().norm());
         }
-        let over = outputs.reference.phase == Phase::Over && state.position.z <= 0.0;
-        self.well = over && outputs.alarm == Alarm::Clear && outputs.command.motors.amax() == 0.0;
+        let over = glimpse.phase == Phase::Over && state.position.z <= 0.0;
+        self.well = over && *alarm == Alarm::Clear && glimpse.motors == 0.0;
     }
 
     /// Returns true if the motors were stopped although the aircraft would have flown on for a second.

@@ -5,6 +5,7 @@
 mod emitted;
 mod onboard;
 mod text;
+mod vectors;
 mod zynq;
 
 use std::thread;
