@@ -73,6 +73,8 @@ pub enum Task {
     Where(Where),
     /// Make a module of Python of the C, whose arrays are NumPy's
     Py(Python),
+    /// Write an entry point as Rust that computes eight runs at once, in vectors, for simulations
+    Vectors(Vectors),
     /// Make a folder of the C for a system that firmware is built in: Zephyr, PX4, ROS 2, FreeRTOS …
     Pack(Pack),
     /// Make a co-simulation unit (FMI 3.0) of an entry point or a component
@@ -356,6 +358,26 @@ pub struct Python {
     pub package: Package,
     /// The folder that the module's own is made in
     #[arg(long, value_name = "FOLDER", default_value = "python")]
+    pub output: PathBuf,
+}
+
+/// Arguments of `vectors`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo bessemer vectors                                      The package's only entry point, in src/eight.in
+  cargo bessemer vectors Motor::step --output sim/src/motor.in  One of several, elsewhere
+
+The entry point has to be `infallible`. The simulation needs bessemer-lanes, and is faster where it is compiled for the processor:
+RUSTFLAGS='-C target-cpu=native'. Each run has the bits of the run alone.")]
+pub struct Vectors {
+    /// Selection of the package
+    #[command(flatten)]
+    pub package: Package,
+    /// The entry point, such as `Motor::step`, where the package has several
+    pub entry: Option<String>,
+    /// The file
+    #[arg(long, value_name = "FILE", default_value = "src/eight.in")]
     pub output: PathBuf,
 }
 

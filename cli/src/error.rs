@@ -34,6 +34,9 @@ pub enum Error {
         /// The reason.
         wrong: String,
     },
+    /// Vectors cannot compute an entry point.
+    #[error(transparent)]
+    Vectors(#[from] bessemer_vectors::Error),
     /// No package has a campaign.
     #[error("there is no campaign")]
     NoCampaign {
@@ -195,6 +198,7 @@ impl Error {
             Error::Bridge(wrong) => wrong.remedy(),
             Error::Name { .. } => "choose another, such as `motor` or `height_loop`".to_owned(),
             Error::Exists { .. } => "choose another name, or remove that folder".to_owned(),
+            Error::Vectors(_) => "simulate it one run at a time, or write the function without it; an entry point has to be `#[entry(infallible)]`".to_owned(),
             Error::NoCampaign { package } => format!(
                 "write {}examples/campaign.rs, whose main calls `bessemer_campaign::main`, as `cargo bessemer new NAME --template vehicle` does",
                 package.as_ref().map_or_else(String::new, |it| format!("`{it}`'s "))

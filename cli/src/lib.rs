@@ -23,6 +23,7 @@ pub mod python;
 mod same_bits;
 pub mod sizes;
 mod task;
+pub mod vectors;
 pub mod verify;
 
 pub use same_bits::{same_bits, same_bits_at};

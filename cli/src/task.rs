@@ -8,7 +8,8 @@ use bessemer_project::{Wanted, generate, said};
 use crate::args::{MessageFormat, Task};
 use crate::error::Error;
 use crate::{
-    asap2, campaign, counterpart, doctor, dossier, explain, fmu, new, pack, python, sizes, verify,
+    asap2, campaign, counterpart, doctor, dossier, explain, fmu, new, pack, python, sizes, vectors,
+    verify,
 };
 
 /// The text to print, and whether all is well. `here` is the folder in which the command was called.
@@ -34,6 +35,7 @@ pub fn perform(here: &Path, task: Task) -> Result<(String, bool), Error> {
         Task::New(it) => Ok((new::run(here, &it)?, true)),
         Task::Pack(it) => Ok((pack::run(here, &it, colour)?, true)),
         Task::Fmu(it) => Ok((fmu::run(here, &it, colour)?, true)),
+        Task::Vectors(it) => Ok((vectors::run(here, &it, colour)?, true)),
         Task::Py(it) => Ok((python::run(here, &it, colour)?, true)),
         Task::Campaign(it) => campaign::run(here, &it),
         Task::A2l(it) => Ok((asap2::run(here, &it, colour)?, true)),

@@ -17,8 +17,8 @@ use bessemer_project::{Wanted, generate};
 use bessemer_tests::golden;
 use bessemer_tests::toolchain;
 use bessemer_tests::workspace::Workspace;
-use cargo_bessemer::args::{Fmu, New, Python, Sizes};
-use cargo_bessemer::{fmu, new, python, sizes};
+use cargo_bessemer::args::{Fmu, New, Python, Sizes, Vectors};
+use cargo_bessemer::{fmu, new, python, sizes, vectors};
 
 /// Returns the output of `gen` in a folder, without colours; none if it failed.
 fn generated(folder: &Path, check: bool) -> Result<String, String> {
@@ -74,6 +74,7 @@ fn a_new_package_is_simulated_and_generated() {
     built::packed(&package);
     called_from_python(&package);
     simulated_as_a_unit(&package);
+    in_vectors(&package);
     described::run(&package);
     units::run(&package);
     refusals(&package);
@@ -109,6 +110,24 @@ fn sized(package: &Path) {
     let (entry, all) = (figures("motor_step"), figures("all of the C"));
     assert!(entry[0] > 50 && entry[0] < all[0], "{text}");
     assert_eq!((entry[1], entry[2], entry[4]), (0, 0, 8), "{text}");
+}
+
+/// The entry point in vectors is the only one, or is named; another name is refused with those that there are.
+fn in_vectors(package: &Path) {
+    let wanted = |entry: Option<&str>| Vectors {
+        package: Default::default(),
+        entry: entry.map(str::to_owned),
+        output: "src/eight.in".into(),
+    };
+    let said =
+        vectors::run(package, &wanted(None), false).unwrap_or_else(|error| panic!("{error}"));
+    assert!(said.starts_with("src/eight.in: Motor::step for eight runs at once"), "{said}");
+    let text = fs::read_to_string(package.join("src/eight.in")).expect("it is written");
+    assert!(text.contains("pub fn motor_step(m: Mask, this: &mut Motor, "), "{text}");
+    let error =
+        vectors::run(package, &wanted(Some("Motor::stop")), false).expect_err("there is none");
+    assert_eq!(error.to_string(), "there is no entry point `Motor::stop`");
+    fs::remove_file(package.join("src/eight.in")).expect("it is there");
 }
 
 /// Python with a package that a test needs, if the test takes part in this run.
